@@ -1,1 +1,23 @@
-//! stub
+//! The kernel language of Lobe and its way to shader source.
+//!
+//! A kernel is an ordinary Rust function under `#[kernel]`.
+//! It stays callable; beside it stands a definition ([`def`]) that [`lower`](crate::def) turns into a
+//! naga module, [`validate`] accepts, and [`emit`](crate::module) writes as WGSL, SPIR-V or HLSL.
+//!
+//! Read first: [`def`] (what the macro writes down), [`intrinsics`] (the one table of operations),
+//! [`module`] (what the executors take).
+
+// The macro's expansion names this crate by its own name, here as everywhere.
+extern crate self as lobe_codegen;
+
+pub mod data;
+pub mod def;
+pub mod intrinsics;
+pub mod math;
+pub mod module;
+pub mod prelude;
+pub mod types;
+pub mod validate;
+
+pub use glam;
+pub use module::ValidModule;
