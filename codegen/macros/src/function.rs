@@ -1,0 +1,419 @@
+//! `#[kernel] fn`.
+
+use crate::attribute::{self, Contract};
+use crate::errors::Errors;
+use crate::expr::Translator;
+use crate::scope::Scope;
+use crate::{names, source, types};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::{FnArg, ItemFn, ReturnType, Type};
+
+/// A parameter after the checks.
+struct Parameter {
+    name: Ident,
+    mutable: bool,
+    ty: Type,
+    binding: TokenStream,
+    is_value: bool,
+    span: TokenStream,
+}
+
+/// The function, without the attributes that only this macro knows, and its definition.
+pub(crate) fn expand(
+    mut item: ItemFn,
+    contract: Contract,
+    errors: &mut Errors,
+) -> (TokenStream, TokenStream) {
+    let source = source::source(&item);
+    let span = source::between(item.sig.fn_token.span, last_span(&item.sig));
+    names::check(&item.sig.ident, errors);
+    refuse_signature(&item, errors);
+    let is_entry = contract.workgroup_size.is_some();
+    let parameters = parameters(&mut item.sig.inputs, is_entry, errors);
+    let result = match &item.sig.output {
+        ReturnType::Default => None,
+        ReturnType::Type(_, ty) => Some((**ty).clone()),
+    };
+    if let (true, Some(ty)) = (is_entry, &result) {
+        errors.refuse(
+            ty,
+            "an entry point with a result",
+            "write to a `#[storage(..)] out: &mut [T]` parameter",
+        );
+    }
+    let function = Function { item: &item, source, span, parameters: &parameters, result: result.as_ref() };
+    let definition = function.definition(&contract, errors);
+    (quote!(#item), definition)
+}
+
+fn last_span(sig: &syn::Signature) -> proc_macro2::Span {
+    sig.to_token_stream().into_iter().last().map_or(sig.ident.span(), |t| t.span())
+}
+
+fn refuse_signature(item: &ItemFn, errors: &mut Errors) {
+    let sig = &item.sig;
+    if let Some(token) = &sig.asyncness {
+        errors.refuse(token, "an asynchronous function", "a kernel runs from begin to end");
+    }
+    if let Some(abi) = &sig.abi {
+        errors.refuse(abi, "an `extern` function", "leave `extern` out");
+    }
+    if sig.generics.params.iter().any(|p| !matches!(p, syn::GenericParam::Lifetime(_))) {
+        errors.refuse(&sig.generics, "a generic function", "write a function for each type");
+    }
+    let unsafety = sig.safety.to_token_stream();
+    if !unsafety.is_empty() {
+        errors.refuse(&unsafety, "an `unsafe` function", "leave `unsafe` out");
+    }
+}
+
+fn parameters(
+    inputs: &mut syn::punctuated::Punctuated<FnArg, syn::Token![,]>,
+    is_entry: bool,
+    errors: &mut Errors,
+) -> Vec<Parameter> {
+    let mut out = Vec::new();
+    for input in inputs {
+        let span = source::span(input);
+        let FnArg::Typed(input) = input else {
+            errors.refuse(input, "a method", "write a free function that takes the value");
+            continue;
+        };
+        let binding = take_binding(&mut input.attrs, &input.ty, is_entry, errors);
+        let syn::Pat::Ident(pattern) = &*input.pat else {
+            errors.refuse(
+                &input.pat,
+                "a destructuring parameter",
+                "bind one name and take its fields with `.`",
+            );
+            continue;
+        };
+        names::check(&pattern.ident, errors);
+        let is_memory = matches!(&*input.ty, Type::Reference(_));
+        let ty = match (&*input.ty, &binding) {
+            (Type::Reference(r), Some(_)) => (*r.elem).clone(),
+            (other, _) => other.clone(),
+        };
+        out.push(Parameter {
+            name: pattern.ident.clone(),
+            mutable: pattern.mutability.is_some(),
+            ty,
+            is_value: binding.is_none() || !is_memory,
+            binding: binding.unwrap_or_else(|| quote!(::lobe_codegen::def::Binding::Value)),
+            span,
+        });
+    }
+    out
+}
+
+/// Takes `#[builtin]`, `#[storage]`, `#[uniform]` or `#[workgroup]` away and returns it as a `Binding`.
+fn take_binding(
+    attributes: &mut Vec<syn::Attribute>,
+    ty: &Type,
+    is_entry: bool,
+    errors: &mut Errors,
+) -> Option<TokenStream> {
+    let mut binding = None;
+    attributes.retain(|a| {
+        let name = a.path().to_token_stream().to_string();
+        let parsed = match name.as_str() {
+            "builtin" => builtin(a),
+            "storage" => numbers(a).map(|(g, b)| {
+                let writable = matches!(ty, Type::Reference(r) if r.mutability.is_some());
+                quote!(::lobe_codegen::def::Binding::Storage { group: #g, binding: #b, writable: #writable })
+            }),
+            "uniform" => numbers(a)
+                .map(|(g, b)| quote!(::lobe_codegen::def::Binding::Uniform { group: #g, binding: #b })),
+            "workgroup" => Ok(quote!(::lobe_codegen::def::Binding::Workgroup)),
+            _ => return true,
+        };
+        match parsed {
+            Ok(tokens) => binding = Some(tokens),
+            Err(error) => errors.push(error),
+        }
+        false
+    });
+    match (&binding, is_entry) {
+        (None, true) => errors.at(
+            ty,
+            "a parameter of an entry point says where it comes from: \
+             #[builtin(..)], #[storage(group, binding)], #[uniform(group, binding)] or #[workgroup]",
+        ),
+        (Some(_), false) => {
+            errors.at(ty, "only entry points have bindings: add `workgroup_size(..)` to #[kernel]");
+        }
+        (None, false) | (Some(_), true) => {}
+    }
+    binding
+}
+
+fn builtin(a: &syn::Attribute) -> syn::Result<TokenStream> {
+    let name: Ident = a.parse_args()?;
+    let variant = match name.to_string().as_str() {
+        "global_invocation_id" => quote!(GlobalInvocationId),
+        "local_invocation_id" => quote!(LocalInvocationId),
+        "local_invocation_index" => quote!(LocalInvocationIndex),
+        "workgroup_id" => quote!(WorkgroupId),
+        "num_workgroups" => quote!(NumWorkgroups),
+        other => {
+            return Err(syn::Error::new(
+                name.span(),
+                format!(
+                    "`{other}` is no built-in input of a compute entry point: global_invocation_id, \
+                     local_invocation_id, local_invocation_index, workgroup_id, num_workgroups"
+                ),
+            ));
+        }
+    };
+    Ok(quote!(::lobe_codegen::def::Binding::Builtin(::lobe_codegen::def::Builtin::#variant)))
+}
+
+fn numbers(a: &syn::Attribute) -> syn::Result<(u32, u32)> {
+    let list =
+        a.parse_args_with(syn::punctuated::Punctuated::<syn::LitInt, syn::Token![,]>::parse_terminated)?;
+    match list.iter().map(syn::LitInt::base10_parse).collect::<syn::Result<Vec<u32>>>()?[..] {
+        [group, binding] => Ok((group, binding)),
+        _ => Err(syn::Error::new_spanned(a, "write the group and the binding, as `(0, 1)`")),
+    }
+}
+
+/// What the definition is made of.
+struct Function<'a> {
+    item: &'a ItemFn,
+    source: TokenStream,
+    span: TokenStream,
+    parameters: &'a [Parameter],
+    result: Option<&'a Type>,
+}
+
+impl Function<'_> {
+    fn definition(&self, contract: &Contract, errors: &mut Errors) -> TokenStream {
+        let ident = &self.item.sig.ident;
+        let vis = &self.item.vis;
+        let mut translator = Translator { scope: self.scope(), errors, function: crate::scope::plain(ident) };
+        let body = translator.block(&self.item.block);
+        let locals = translator.scope.tokens();
+        let native = if contract.workgroup_size.is_some() {
+            quote!(None)
+        } else {
+            self.native(&quote!(#ident), &self.value_types(), self.result)
+        };
+        let contract_tokens = self.contract(contract, errors);
+        let entry = workgroup_size(contract, ident, errors);
+        let definition = self.function_def(
+            &crate::scope::plain(ident),
+            &entry,
+            &locals,
+            &body,
+            &contract_tokens,
+            &native,
+            errors,
+        );
+        quote! {
+            #[doc(hidden)]
+            #[allow(non_camel_case_types, reason = "named as the function it stands for")]
+            #[derive(Debug)]
+            #vis enum #ident {}
+            impl ::lobe_codegen::def::Callable for #ident {
+                const CALLEE: ::lobe_codegen::def::Callee = ::lobe_codegen::def::Callee::Function(|| {
+                    static DEF: ::lobe_codegen::def::FunctionDef = #definition;
+                    &DEF
+                });
+            }
+        }
+    }
+
+    fn scope(&self) -> Scope {
+        let mut scope = Scope::default();
+        for p in self.parameters {
+            if p.is_value {
+                scope.declare(&p.name, p.mutable)
+            } else {
+                scope.declare_binding(&p.name)
+            };
+        }
+        scope
+    }
+
+    fn value_types(&self) -> Vec<&Type> {
+        self.parameters.iter().map(|p| &p.ty).collect()
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "the fields of one structure literal")]
+    fn function_def(
+        &self,
+        name: &str,
+        entry: &TokenStream,
+        locals: &TokenStream,
+        body: &TokenStream,
+        contract: &TokenStream,
+        native: &TokenStream,
+        errors: &mut Errors,
+    ) -> TokenStream {
+        let (source, span, docs) = (&self.source, &self.span, source::docs(&self.item.attrs));
+        let params = self.parameters.iter().map(|p| {
+            let (name, binding, span) = (crate::scope::plain(&p.name), &p.binding, &p.span);
+            let ty = types::type_def(&p.ty, errors);
+            quote!(::lobe_codegen::def::Param { name: #name, ty: #ty, binding: #binding, span: #span })
+        });
+        let params: Vec<_> = params.collect();
+        let ret = match self.result {
+            Some(ty) => {
+                let ty = types::type_def(ty, errors);
+                quote!(Some(#ty))
+            }
+            None => quote!(None),
+        };
+        quote!(::lobe_codegen::def::FunctionDef {
+            name: #name,
+            module: ::core::module_path!(),
+            docs: #docs,
+            source: #source,
+            span: #span,
+            entry: #entry,
+            params: &[#(#params),*],
+            ret: #ret,
+            locals: #locals,
+            body: #body,
+            contract: #contract,
+            native: #native,
+        })
+    }
+
+    /// Calls `function` with values read from words.
+    fn native(&self, function: &TokenStream, types: &[&Type], result: Option<&Type>) -> TokenStream {
+        let names: Vec<_> = (0..types.len()).map(|i| format_ident!("argument_{i}")).collect();
+        let call = match result {
+            Some(_) => quote!(::lobe_codegen::def::KernelValue::write(&#function(#(#names),*), out);),
+            None => quote!(#function(#(#names),*);),
+        };
+        quote!(Some(|words, out| {
+            let _ = (&words, &out);
+            #(let #names = <#types as ::lobe_codegen::def::KernelValue>::read(words);)*
+            #call
+        }))
+    }
+
+    fn contract(&self, contract: &Contract, errors: &mut Errors) -> TokenStream {
+        let text = |t: &Option<syn::LitStr>| t.as_ref().map(syn::LitStr::value).unwrap_or_default();
+        let (family, cite) = (text(&contract.family), text(&contract.cite));
+        let domain: Vec<_> = contract.domain.iter().map(|row| self.domain(row, errors)).collect();
+        let budget: Vec<_> = contract.budget.iter().map(|row| self.budget(row, errors)).collect();
+        let variant_of = match &contract.variant_of {
+            Some(path) => quote!(match <#path as ::lobe_codegen::def::Callable>::CALLEE {
+                ::lobe_codegen::def::Callee::Function(f) => Some(f),
+                ::lobe_codegen::def::Callee::Intrinsic(_) => None,
+            }),
+            None => quote!(None),
+        };
+        let not_robust = match &contract.not_robust {
+            Some(reason) => quote!(Some(#reason)),
+            None => quote!(None),
+        };
+        let truth = match (&contract.truth, self.parameters.len()) {
+            (None, _) => quote!(None),
+            (Some(path), 1) => quote!(Some(::lobe_codegen::def::Truth::Unary(#path))),
+            (Some(path), 2) => quote!(Some(::lobe_codegen::def::Truth::Binary(#path))),
+            (Some(path), _) => {
+                errors.at(path, "a truth is stated for functions of one or two `f32`");
+                quote!(None)
+            }
+        };
+        quote!(::lobe_codegen::def::Contract {
+            family: #family,
+            cite: #cite,
+            domain: &[#(#domain),*],
+            budget: &[#(#budget),*],
+            variant_of: #variant_of,
+            not_robust: #not_robust,
+            truth: #truth,
+        })
+    }
+
+    fn domain(&self, row: &attribute::DomainRow, errors: &mut Errors) -> TokenStream {
+        let path = row.path.iter().map(ToString::to_string).collect::<Vec<_>>().join(".");
+        if let Some(first) = row.path.first()
+            && !self.parameters.iter().any(|p| p.name == *first)
+        {
+            errors.at(first, format!("`{first}` is no parameter of this function"));
+        }
+        let domain = attribute::domain(&row.domain, errors);
+        let span = source::span(&row.path);
+        quote!(::lobe_codegen::def::DomainDef { path: #path, domain: #domain, span: #span })
+    }
+
+    /// A budget is a function of the parameters and `result`, hidden beside the kernel.
+    fn budget(&self, row: &attribute::BudgetRow, errors: &mut Errors) -> TokenStream {
+        let Some(result) = self.result else {
+            errors.at(&row.value, "a function without a result has no budget");
+            return TokenStream::new();
+        };
+        let path = row.field.as_ref().map(ToString::to_string).unwrap_or_default();
+        let value = &row.value;
+        let text = value.to_token_stream().to_string();
+        let name = format!("{}_budget", self.item.sig.ident);
+        let result_name = Ident::new("result", self.item.sig.ident.span());
+        let mut parameters: Vec<Parameter> = self
+            .parameters
+            .iter()
+            .map(|p| Parameter {
+                name: p.name.clone(),
+                mutable: false,
+                ty: p.ty.clone(),
+                binding: p.binding.clone(),
+                is_value: true,
+                span: p.span.clone(),
+            })
+            .collect();
+        parameters.push(Parameter {
+            name: result_name,
+            mutable: false,
+            ty: result.clone(),
+            binding: quote!(::lobe_codegen::def::Binding::Value),
+            is_value: true,
+            span: source::span(value),
+        });
+        let f32_type: Type = syn::parse_quote!(f32);
+        let inner = Function {
+            item: self.item,
+            source: self.source.clone(),
+            span: source::span(value),
+            parameters: &parameters,
+            result: Some(&f32_type),
+        };
+        let mut translator = Translator { scope: inner.scope(), errors, function: name.clone() };
+        let body = translator.expr(value);
+        let body = quote!(::lobe_codegen::def::Block { stmts: &[], value: Some(&#body) });
+        let locals = translator.scope.tokens();
+        let (names, tys): (Vec<_>, Vec<_>) = parameters.iter().map(|p| (&p.name, &p.ty)).unzip();
+        let native = inner.native(&quote!(budget), &tys, Some(&f32_type));
+        let contract = inner.contract(&Contract::default(), errors);
+        let definition = inner.function_def(&name, &quote!(None), &locals, &body, &contract, &native, errors);
+        quote!(::lobe_codegen::def::BudgetDef {
+            path: #path,
+            text: #text,
+            function: || {
+                #[allow(unused_variables, reason = "a budget need not depend on every argument")]
+                fn budget(#(#names: #tys),*) -> f32 { #value }
+                static DEF: ::lobe_codegen::def::FunctionDef = #definition;
+                &DEF
+            },
+        })
+    }
+}
+
+fn workgroup_size(contract: &Contract, ident: &Ident, errors: &mut Errors) -> TokenStream {
+    match contract.workgroup_size.as_deref() {
+        None => quote!(None),
+        Some(sizes @ ([_] | [_, _] | [_, _, _])) => {
+            let size = |i: usize| sizes.get(i).copied().unwrap_or(1);
+            let (x, y, z) = (size(0), size(1), size(2));
+            quote!(Some([#x, #y, #z]))
+        }
+        Some(_) => {
+            errors.at(ident, "a workgroup size has one, two or three numbers");
+            quote!(None)
+        }
+    }
+}
