@@ -12,12 +12,17 @@ extern crate self as lobe_codegen;
 
 pub mod data;
 pub mod def;
+mod guard;
 pub mod intrinsics;
+pub mod lower;
 pub mod math;
 pub mod module;
 pub mod prelude;
+pub mod scope;
 pub mod types;
 pub mod validate;
 
 pub use glam;
+pub use guard::quietly;
+pub use lower::lower;
 pub use module::ValidModule;

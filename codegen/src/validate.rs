@@ -1,29 +1,70 @@
 //! The only maker of [`ValidModule`]s.
+//!
+//! naga's validator is asked first; two things that it does not see are then checked here: whether
+//! each operand is computed on every way to its use ([`crate::scope`]), and whether each path of a
+//! function returns its value.
 
 use crate::module::{Meta, ValidModule};
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use crate::scope;
+use naga::valid::{Capabilities, ValidationError, ValidationFlags, Validator};
 
 /// Why a module is refused.
 #[derive(Debug, thiserror::Error)]
 pub enum ValidateError {
-    /// naga's validator said no; the text carries its reasons and, where known, the source lines.
-    #[error("naga refuses the module: {0}")]
-    Invalid(String),
-    /// naga's validator panicked.
-    #[error("naga's validator panicked ({0}); this is a fault of naga, please report the module")]
-    Panicked(String),
+    /// The text does not parse; the message shows the line and caret.
+    #[error("{0}")]
+    Parse(String),
+    /// naga's validator said no.
+    #[error("naga refuses the module: {}", chain(.0.as_inner()))]
+    Invalid(Box<naga::WithSpan<ValidationError>>),
+    /// naga accepts the module, but it has no meaning.
+    #[error("{0}")]
+    Scope(#[from] scope::ScopeError),
+    /// naga panicked.
+    #[error(
+        "naga's {stage} panicked ({message}); this is a fault of naga, please report the module to its authors"
+    )]
+    Panicked {
+        /// Front end or validator.
+        stage: &'static str,
+        /// The panic's words.
+        message: String,
+    },
+}
+
+/// An error and its causes in one line.
+fn chain(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut source = error.source();
+    while let Some(cause) = source {
+        text = format!("{text}: {cause}");
+        source = cause.source();
+    }
+    text
+}
+
+impl ValidateError {
+    /// Where in the source the error lies, outermost first, with a label each.
+    pub(crate) fn spans(&self) -> Vec<(naga::Span, String)> {
+        match self {
+            Self::Invalid(error) => error.spans().cloned().collect(),
+            Self::Scope(error) => vec![(error.span(), error.to_string())],
+            Self::Parse(_) | Self::Panicked { .. } => Vec::new(),
+        }
+    }
 }
 
 /// Validates `module`; `meta` travels along.
 ///
 /// # Errors
-/// When naga refuses the module, or panics on it.
-pub fn validate(
-    module: naga::Module,
-    meta: Meta,
-) -> Result<ValidModule, Box<naga::WithSpan<naga::valid::ValidationError>>> {
-    let info =
-        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(Box::new)?;
+/// When the module is refused, or naga panics on it.
+pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, ValidateError> {
+    let info = crate::guard::quietly(|| {
+        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(Box::new)
+    })
+    .map_err(|message| ValidateError::Panicked { stage: "validator", message })?
+    .map_err(ValidateError::Invalid)?;
+    scope::check(&module)?;
     Ok(ValidModule::new(module, info, meta))
 }
 
@@ -32,7 +73,8 @@ pub fn validate(
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
-    let module =
-        naga::front::wgsl::parse_str(text).map_err(|e| ValidateError::Invalid(e.emit_to_string(text)))?;
-    validate(module, Meta::default()).map_err(|e| ValidateError::Invalid(e.emit_to_string(text)))
+    let module = crate::guard::quietly(|| naga::front::wgsl::parse_str(text))
+        .map_err(|message| ValidateError::Panicked { stage: "WGSL front end", message })?
+        .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
+    validate(module, Meta::default())
 }

@@ -62,8 +62,69 @@ fn expands() {
     let mut out = [0.0; 2];
     scale(UVec3::new(1, 0, 0), &[1.0, 2.0], &mut out);
     assert_eq!(out, [0.0, 4.0]);
-    let lobe_codegen::def::Callee::Function(f) = <evaluate as lobe_codegen::def::Callable>::CALLEE else {
-        panic!()
+    let m = lobe_codegen::lower(&lobe_codegen::kernels![pick, scale, mixed, hard])
+        .unwrap_or_else(|e| panic!("{e}"));
+    let text =
+        naga::back::wgsl::write_string(m.module(), m.info(), naga::back::wgsl::WriterFlags::empty()).unwrap();
+    println!("{text}");
+    let e = lobe_codegen::lower(&lobe_codegen::kernels![wrong]).unwrap_err();
+    println!("{e}");
+}
+
+#[kernel]
+fn wrong(v: Vec3, n: u32) -> f32 {
+    let two = 2;
+    let k = n + two;
+    if v.x > 1.0 && k > 2 {
+        return select(v.x, v.y, v.x < dot(v, Vec3::X));
+    }
+    1.0
+}
+
+#[kernel]
+fn mixed(v: Vec3, n: u32) -> Vec3 {
+    let w = v / 2.0 + 3.0 * v - 1.0;
+    let mut a = [1.0, 2.0, 3.0];
+    a[1] *= 2.0;
+    a[(n % 3) as usize] += w.x;
+    let b = Sg { sharpness: 2.0 * 3.0, axis: w };
+    let t = if n > 3 && a[n as usize] > 0.0 {
+        b.sharpness
+    } else {
+        let q = v.y;
+        q * q
     };
-    println!("{:#?}", f());
+    if v == Vec3::ZERO || !(t < 1.0) {
+        return Vec3::splat(t);
+    }
+    let x = x_of(v);
+    let x = x + 1.0;
+    Vec3::new(x, a[1], t) * f32::from_bits(x.to_bits() & 0x7fffffff)
+}
+
+#[kernel]
+fn x_of(v: Vec3) -> f32 {
+    v.x
+}
+
+#[kernel]
+fn hard(n: i32) -> i32 {
+    let mut total = 0;
+    for i in 0..=n {
+        match i {
+            3 => continue,
+            5 | 6 => break,
+            _ => {
+                total += i;
+            }
+        }
+        let mut j = 0;
+        while j < i {
+            j += 1;
+            if j == 7 {
+                return total;
+            }
+        }
+    }
+    total
 }

@@ -1,0 +1,118 @@
+//! What goes wrong in lowering, shown at the Rust line.
+
+use crate::def::{FunctionDef, Source, Span};
+use codespan_reporting::diagnostic::{Diagnostic, Label};
+use codespan_reporting::files::{Error as FilesError, Files};
+use codespan_reporting::term;
+use std::ops::Range;
+
+/// Why kernels could not be lowered.
+#[derive(Debug, thiserror::Error)]
+pub enum LowerError {
+    /// A kernel's Rust is not what the kernel language takes.
+    #[error("{rendered}")]
+    Kernel {
+        /// Name of the kernel.
+        kernel: &'static str,
+        /// What is wrong, without the source.
+        message: String,
+        /// The message with file, line and caret.
+        rendered: String,
+    },
+    /// naga's validator refuses the module that came out.
+    #[error("{rendered}")]
+    Invalid {
+        /// naga's words.
+        message: String,
+        /// The same with the Rust lines it points at.
+        rendered: String,
+    },
+}
+
+/// A mistake inside one function, before it knows its source.
+#[derive(Debug)]
+pub(super) struct Fail {
+    pub(super) message: String,
+    pub(super) span: Span,
+}
+
+impl Fail {
+    pub(super) fn new(span: Span, message: impl Into<String>) -> Self {
+        Self { message: message.into(), span }
+    }
+
+    pub(super) fn in_function(self, def: &'static FunctionDef) -> LowerError {
+        let rendered = render(&self.message, &def.source, &[(self.span, String::new())]);
+        LowerError::Kernel { kernel: def.name, message: self.message, rendered }
+    }
+}
+
+pub(super) type Lowered<T> = Result<T, Fail>;
+
+/// The message with the source lines and a caret under each span.
+pub(super) fn render(message: &str, source: &Source, labels: &[(Span, String)]) -> String {
+    let file = Excerpt(source);
+    let mut diagnostic = Diagnostic::<()>::error().with_message(message);
+    for (i, (span, text)) in labels.iter().enumerate() {
+        let range = file.range(span);
+        let label = if i == 0 { Label::primary((), range) } else { Label::secondary((), range) };
+        diagnostic = diagnostic.with_label(label.with_message(text));
+    }
+    let mut out = String::new();
+    let config = term::Config::default();
+    match term::emit_to_string(&mut out, &config, &file, &diagnostic) {
+        Ok(()) => out,
+        Err(_) => format!("error: {message}\n  --> {}:{}", source.file, source.line),
+    }
+}
+
+/// Byte range of `span` in the text of `source`.
+pub(super) fn byte_range(source: &Source, span: &Span) -> Range<usize> {
+    Excerpt(source).range(span)
+}
+
+/// Lines of a file, numbered as in the file.
+struct Excerpt<'a>(&'a Source);
+
+impl Excerpt<'_> {
+    fn line_start(&self, line: usize) -> usize {
+        self.0.text.split_inclusive('\n').take(line).map(str::len).sum()
+    }
+
+    fn offset(&self, (line, column): (u32, u32)) -> usize {
+        let start = self.line_start(line.saturating_sub(self.0.line) as usize);
+        let rest = &self.0.text[start.min(self.0.text.len())..];
+        start + rest.char_indices().nth(column as usize).map_or(rest.len(), |(i, _)| i)
+    }
+
+    fn range(&self, span: &Span) -> Range<usize> {
+        let start = self.offset(span.start).min(self.0.text.len());
+        start..self.offset(span.end).clamp(start, self.0.text.len())
+    }
+}
+
+impl<'a> Files<'a> for Excerpt<'a> {
+    type FileId = ();
+    type Name = &'a str;
+    type Source = &'a str;
+
+    fn name(&'a self, (): ()) -> Result<Self::Name, FilesError> {
+        Ok(self.0.file)
+    }
+
+    fn source(&'a self, (): ()) -> Result<Self::Source, FilesError> {
+        Ok(self.0.text)
+    }
+
+    fn line_index(&'a self, (): (), byte: usize) -> Result<usize, FilesError> {
+        Ok(self.0.text[..byte.min(self.0.text.len())].matches('\n').count())
+    }
+
+    fn line_number(&'a self, (): (), index: usize) -> Result<usize, FilesError> {
+        Ok(self.0.line as usize + index)
+    }
+
+    fn line_range(&'a self, (): (), index: usize) -> Result<Range<usize>, FilesError> {
+        Ok(self.line_start(index)..self.line_start(index + 1))
+    }
+}
