@@ -116,6 +116,16 @@ fn one_device_serves_many_shapes() {
     }
 }
 
+/// More shaders than are kept, in turns, with the same bindings.
+#[test]
+fn shaders_are_not_mistaken_for_each_other() {
+    let Some(mut gpu) = open("lavapipe") else { return };
+    let shaders: Vec<_> = (0..70).map(|k| WGSL.replace("+ 1.0", &format!("+ {k}.0"))).collect();
+    for (k, wgsl) in (0u8..).zip(&shaders).chain((0..).zip(&shaders)) {
+        assert_eq!(run(&mut gpu, Shader::Wgsl(wgsl), &[1.0]).expect("runs"), [2.0 + f32::from(k)]);
+    }
+}
+
 #[test]
 fn wrong_wgsl_is_quoted() {
     let Some(mut gpu) = open("lavapipe") else { return };

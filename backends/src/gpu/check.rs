@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::pipelines::fillers;
 use super::{Binding, BindingKind, GpuError, Job, Shader, spirv};
 
 /// Checks `job` against itself and against the `limits` of the device that is to run it.
@@ -9,6 +10,7 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
     check_workgroup(driver, limits, job.workgroup_size)?;
     check_groups(driver, limits, job.groups)?;
     let places = check_places(limits, job.bindings)?;
+    check_count(driver, limits, job)?;
     job.bindings.iter().try_for_each(|binding| check_buffer(driver, limits, binding))?;
     match job.shader {
         Shader::Wgsl(_) => Ok(()),
@@ -66,6 +68,28 @@ fn check_places(limits: &wgpu::Limits, bindings: &[Binding]) -> Result<BTreeSet<
         }
     }
     Ok(taken)
+}
+
+/// Counts the storage buffers, with those that fill the gaps between a SPIR-V shader's.
+fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), GpuError> {
+    let limit = limits.max_storage_buffers_per_shader_stage;
+    let is_spirv = matches!(job.shader, Shader::Spirv(_));
+    if let Some(high) = job.bindings.iter().find(|b| is_spirv && b.binding >= limit) {
+        return bad(format!(
+            "binding {} is too high a number for SPIR-V on {driver}: give bindings numbers below {limit}",
+            high.binding
+        ));
+    }
+    let groups: BTreeSet<u32> = job.bindings.iter().map(|b| b.group).collect();
+    let fillers: usize = groups.into_iter().map(|group| fillers(job, group).len()).sum();
+    let own = job.bindings.iter().filter(|b| b.kind != BindingKind::Uniform).count();
+    if own + fillers > limit as usize {
+        return bad(format!(
+            "{own} storage buffers and {fillers} unused numbers between bindings are more than the {limit} storage \
+             buffers that {driver} binds"
+        ));
+    }
+    Ok(())
 }
 
 fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding) -> Result<(), GpuError> {
@@ -132,5 +156,17 @@ mod tests {
         refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 68])]), "68 bytes, the driver allows 64");
         refused(&job([1; 3], [1; 3], &[storage(9, 0, &[0; 4])]), "groups end at 3");
         refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 4]), storage(0, 0, &[0; 4])]), "bound twice");
+    }
+
+    #[test]
+    fn more_buffers_than_a_device_binds() {
+        // By default 8 storage buffers a shader.
+        let many: Vec<_> = (0..9).map(|number| storage(0, number, &[0; 4])).collect();
+        refused(&job([1; 3], [1; 3], &many), "9 storage buffers and 0 unused numbers");
+        let high = [storage(0, 8, &[0; 4])];
+        let sparse = [storage(0, 7, &[0; 4]), storage(1, 3, &[0; 4])];
+        let spirv = |bindings| Job { shader: Shader::Spirv(&[]), ..job([1; 3], [1; 3], bindings) };
+        refused(&spirv(&high), "binding 8 is too high a number for SPIR-V on some-driver");
+        refused(&spirv(&sparse), "2 storage buffers and 10 unused numbers");
     }
 }

@@ -1,7 +1,7 @@
 //! Each device lives on a thread of its own, so that a driver that hangs can be left behind.
 //!
-//! A time limit on wgpu's `poll` is not enough: CPU drivers run a dispatch inside the submit call, and a compiler may
-//! hang long before anything is submitted.
+//! A time limit on wgpu's `poll` is not enough: a driver's compiler may hang before anything is submitted, and closing a
+//! device waits without limit for what still runs on it.
 
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
