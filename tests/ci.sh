@@ -17,6 +17,8 @@ wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
 # One command each, so that its exit status is the step's.
+# shellcheck disable=SC2317 # called by name
+{
 step_setup() { tests/setup.sh; }
 step_format() { cargo fmt --all --check; }
 step_lint() { cargo clippy --workspace --all-targets -- -D warnings; }
@@ -26,6 +28,7 @@ step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
 step_check() {
     cargo run --release -- check \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
+}
 }
 
 command -v cargo >/dev/null || { echo "ci: cargo is missing: install Rust from https://rustup.rs" >&2; exit 1; }

@@ -38,11 +38,10 @@ needs() {
     return 1
 }
 
+can_be_root() { [[ $(id -u) == 0 ]] || command -v sudo >/dev/null; }
+
 as_root() {
-    if [[ $(id -u) == 0 ]]; then "$@"
-    elif command -v sudo >/dev/null; then sudo --preserve-env=DEBIAN_FRONTEND "$@"
-    else fail "$1" "needs root: run this script as root, or install sudo"
-    fi
+    if [[ $(id -u) == 0 ]]; then "$@"; else sudo --preserve-env=DEBIAN_FRONTEND "$@"; fi
 }
 
 quietly() {
@@ -53,12 +52,13 @@ quietly() {
 
 # A third-party source that is down must not stop us: the install that follows says what is really missing.
 apt_update() {
-    [[ $updated == yes ]] && return 0
+    if [[ $updated == yes ]] || ! can_be_root; then return 0; fi
     quietly as_root apt-get -qq update || say "apt-get update" "had errors; going on with the lists at hand"
     updated=yes
 }
 
 apt_install() {
+    can_be_root || fail "apt-get install" "needs root: run this script as root, or install sudo"
     apt_update
     quietly as_root apt-get -qq -y --no-install-recommends install "$@"
 }
@@ -69,6 +69,7 @@ on_debian_12() { [[ ${ID:-} == debian && ${VERSION_ID:-} == 12 ]]; }
 
 add_backports() {
     grep -rqsE '^[^#]*bookworm-backports' /etc/apt/sources.list /etc/apt/sources.list.d && return 0
+    can_be_root || fail "bookworm-backports" "needs root: run this script as root, or install sudo"
     local line="deb http://deb.debian.org/debian bookworm-backports main"
     echo "$line" | as_root tee /etc/apt/sources.list.d/lobe-backports.list >/dev/null
     updated=no

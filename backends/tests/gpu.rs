@@ -96,7 +96,7 @@ fn every_kind_of_binding_arrives() {
     }
 }
 
-/// Vulkan leaves a descriptor undefined that the shader uses and nobody bound: lavapipe dies of it.
+/// What a driver makes of a buffer that nobody bound is undefined in Vulkan, up to a crash.
 #[test]
 fn spirv_that_uses_what_is_not_bound_never_reaches_the_driver() {
     let Some(mut gpu) = open("lavapipe") else { return };
@@ -130,7 +130,7 @@ fn shaders_are_not_mistaken_for_each_other() {
 fn wrong_wgsl_is_quoted() {
     let Some(mut gpu) = open("lavapipe") else { return };
     for (wgsl, part) in [
-        ("fn main( {", "expected"),
+        ("fn main( {", "wgsl:1:10"),
         ("@compute @workgroup_size(64) fn main() { let x: u32 = 1.5; }", "1.5"),
         // Valid, but it wants a binding that the job does not have, or has no such entry point.
         (

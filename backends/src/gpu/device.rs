@@ -208,7 +208,14 @@ fn fault_of(error: wgpu::Error) -> Fault {
     match error {
         wgpu::Error::OutOfMemory { .. } => Fault::OutOfMemory,
         wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
-            Fault::Rejected(description.trim().to_owned())
+            Fault::Rejected(plain(&description))
         }
     }
+}
+
+/// wgpu's description without the heading that every one has.
+fn plain(description: &str) -> String {
+    let text = description.trim();
+    let text = text.strip_prefix("Validation Error").unwrap_or(text).trim_start();
+    text.strip_prefix("Caused by:").unwrap_or(text).trim().to_owned()
 }

@@ -72,7 +72,7 @@ pub(super) fn build(device: &wgpu::Device, job: &Job) -> Pipeline {
 fn module(device: &wgpu::Device, job: &Job) -> wgpu::ShaderModule {
     match job.shader {
         Shader::Wgsl(text) => device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: None,
+            label: Some(job.entry),
             source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(text)),
         }),
         Shader::Spirv(words) => {
