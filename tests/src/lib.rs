@@ -1,1 +1,3 @@
-//! stub
+//! The harness: inputs, questions, oracle tables, reports.
+pub mod domain;
+pub mod value;

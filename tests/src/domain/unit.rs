@@ -1,0 +1,85 @@
+//! Vectors of length one, alone and in relation to those drawn before them.
+//!
+//! What goes wrong with directions goes wrong where they coincide, oppose or are perpendicular, which
+//! independent random vectors never are.
+
+use super::rng::Rng;
+
+/// Angles to an earlier vector, in radians, at the edges: from far below f32's resolution of a cosine.
+const ANGLES: [f64; 7] = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+
+/// How many edge vectors there are when `earlier` others of this dimension have been drawn.
+pub(super) fn n_edges(n: usize, earlier: usize) -> usize {
+    2 * n + 2 + earlier * relations()
+}
+
+fn relations() -> usize {
+    3 + 2 * ANGLES.len()
+}
+
+/// Edge vector `index`: an axis, a diagonal, or one in a special relation to an earlier vector.
+pub(super) fn edge(n: usize, index: usize, earlier: &[Vec<f32>], rng: &mut Rng) -> Vec<f32> {
+    let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+    if index < 2 * n {
+        return (0..n).map(|i| if i == index / 2 { sign as f32 } else { 0.0 }).collect();
+    }
+    if index < 2 * n + 2 {
+        return rounded(&vec![sign; n]);
+    }
+    let index = index - 2 * n - 2;
+    let peers: Vec<&Vec<f32>> = earlier.iter().filter(|v| v.len() == n).collect();
+    let other = peers[index / relations()];
+    match index % relations() {
+        0 => other.to_vec(),
+        1 => other.iter().map(|c| -c).collect(),
+        2 => at_angle(other, std::f64::consts::FRAC_PI_2, rng),
+        rest => {
+            let angle = ANGLES[(rest - 3) / 2];
+            let flip = if rest % 2 == 0 { std::f64::consts::PI } else { 0.0 };
+            at_angle(other, flip - angle, rng)
+        }
+    }
+}
+
+/// A random vector: half of the time uniform, else at a log-uniform angle to an earlier one or its
+/// opposite.
+pub(super) fn random(n: usize, earlier: &[Vec<f32>], rng: &mut Rng) -> Vec<f32> {
+    let peers: Vec<&Vec<f32>> = earlier.iter().filter(|v| v.len() == n).collect();
+    if peers.is_empty() || rng.one_in(2) {
+        return uniform(n, rng);
+    }
+    let other = peers[rng.below(peers.len())];
+    let angle = std::f64::consts::PI * 10f64.powf(-8.0 * rng.unit());
+    let flip = if rng.one_in(2) { std::f64::consts::PI } else { 0.0 };
+    at_angle(other, flip - angle, rng)
+}
+
+fn uniform(n: usize, rng: &mut Rng) -> Vec<f32> {
+    let vector: Vec<f64> = (0..n).map(|_| rng.normal()).collect();
+    rounded(&vector)
+}
+
+/// A vector at `angle` to `other`, in a random direction from it.
+fn at_angle(other: &[f32], angle: f64, rng: &mut Rng) -> Vec<f32> {
+    let other = normalised(&other.iter().map(|c| f64::from(*c)).collect::<Vec<_>>());
+    let mut aside: Vec<f64> = other.iter().map(|_| rng.normal()).collect();
+    let along: f64 = aside.iter().zip(&other).map(|(a, o)| a * o).sum();
+    aside.iter_mut().zip(&other).for_each(|(a, o)| *a -= along * o);
+    let aside = normalised(&aside);
+    let (sin, cos) = angle.sin_cos();
+    rounded(&other.iter().zip(&aside).map(|(o, a)| cos * o + sin * a).collect::<Vec<_>>())
+}
+
+/// Of length one in f64.
+pub(crate) fn normalised(vector: &[f64]) -> Vec<f64> {
+    let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if length > 0.0 {
+        vector.iter().map(|c| c / length).collect()
+    } else {
+        (0..vector.len()).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect()
+    }
+}
+
+fn rounded(vector: &[f64]) -> Vec<f32> {
+    normalised(vector).into_iter().map(|c| c as f32).collect()
+}
