@@ -1,0 +1,172 @@
+//! What can be known to fail before any driver is asked.
+
+use std::collections::BTreeSet;
+
+use super::pipelines::fillers;
+use super::{Binding, BindingKind, GpuError, Job, Shader, spirv};
+
+/// Checks `job` against itself and against the `limits` of the device that is to run it.
+pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), GpuError> {
+    check_workgroup(driver, limits, job.workgroup_size)?;
+    check_groups(driver, limits, job.groups)?;
+    let places = check_places(limits, job.bindings)?;
+    check_count(driver, limits, job)?;
+    job.bindings.iter().try_for_each(|binding| check_buffer(driver, limits, binding))?;
+    match job.shader {
+        Shader::Wgsl(_) => Ok(()),
+        Shader::Spirv(words) => {
+            let checked = spirv::check(words, job.entry, job.workgroup_size, &places);
+            checked.map_err(|reason| GpuError::BadSpirv { reason })
+        }
+    }
+}
+
+fn bad<T>(reason: impl Into<String>) -> Result<T, GpuError> {
+    Err(GpuError::BadJob { reason: reason.into() })
+}
+
+fn check_workgroup(driver: &str, limits: &wgpu::Limits, asked: [u32; 3]) -> Result<(), GpuError> {
+    let limit = [
+        limits.max_compute_workgroup_size_x,
+        limits.max_compute_workgroup_size_y,
+        limits.max_compute_workgroup_size_z,
+    ];
+    let total = limits.max_compute_invocations_per_workgroup;
+    let invocations: u64 = asked.iter().map(|&n| u64::from(n)).fold(1, u64::saturating_mul);
+    if invocations == 0 {
+        return bad(format!("workgroup_size is {asked:?}; every axis must be at least 1"));
+    }
+    if asked.iter().zip(limit).any(|(&asked, limit)| asked > limit) || invocations > u64::from(total) {
+        return Err(GpuError::WorkgroupTooLarge { driver: driver.to_owned(), asked, limit, total });
+    }
+    Ok(())
+}
+
+fn check_groups(driver: &str, limits: &wgpu::Limits, asked: [u32; 3]) -> Result<(), GpuError> {
+    if asked.contains(&0) {
+        return bad(format!("groups is {asked:?}: nothing would run; every axis must be at least 1"));
+    }
+    let limit = limits.max_compute_workgroups_per_dimension;
+    if asked.iter().any(|&n| n > limit) {
+        return Err(GpuError::TooManyGroups { driver: driver.to_owned(), asked, limit });
+    }
+    Ok(())
+}
+
+fn check_places(limits: &wgpu::Limits, bindings: &[Binding]) -> Result<BTreeSet<(u32, u32)>, GpuError> {
+    let mut taken = BTreeSet::new();
+    for &Binding { group, binding, .. } in bindings {
+        if group >= limits.max_bind_groups || binding >= limits.max_bindings_per_bind_group {
+            return bad(format!(
+                "group {group}, binding {binding} is out of reach: groups end at {}, bindings at {}",
+                limits.max_bind_groups - 1,
+                limits.max_bindings_per_bind_group - 1
+            ));
+        }
+        if !taken.insert((group, binding)) {
+            return bad(format!("group {group}, binding {binding} is bound twice"));
+        }
+    }
+    Ok(taken)
+}
+
+/// Counts the storage buffers, with those that fill the gaps between a SPIR-V shader's.
+fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), GpuError> {
+    let limit = limits.max_storage_buffers_per_shader_stage;
+    let is_spirv = matches!(job.shader, Shader::Spirv(_));
+    if let Some(high) = job.bindings.iter().find(|b| is_spirv && b.binding >= limit) {
+        return bad(format!(
+            "binding {} is too high a number for SPIR-V on {driver}: give bindings numbers below {limit}",
+            high.binding
+        ));
+    }
+    let groups: BTreeSet<u32> = job.bindings.iter().map(|b| b.group).collect();
+    let fillers: usize = groups.into_iter().map(|group| fillers(job, group).len()).sum();
+    let own = job.bindings.iter().filter(|b| b.kind != BindingKind::Uniform).count();
+    if own + fillers > limit as usize {
+        return bad(format!(
+            "{own} storage buffers and {fillers} unused numbers between bindings are more than the {limit} storage \
+             buffers that {driver} binds"
+        ));
+    }
+    Ok(())
+}
+
+fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding) -> Result<(), GpuError> {
+    let &Binding { group, binding: number, kind, data } = binding;
+    let bytes = data.len() as u64;
+    if bytes == 0 || !bytes.is_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT) {
+        return bad(format!(
+            "the buffer at group {group}, binding {number} has {bytes} bytes; it must have some, and a multiple of 4"
+        ));
+    }
+    let kind_limit = match kind {
+        BindingKind::Uniform => limits.max_uniform_buffer_binding_size,
+        BindingKind::StorageRead | BindingKind::StorageReadWrite => limits.max_storage_buffer_binding_size,
+    };
+    let limit = kind_limit.min(limits.max_buffer_size);
+    if bytes > limit {
+        let driver = driver.to_owned();
+        return Err(GpuError::BufferTooLarge { driver, group, binding: number, bytes, limit });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn job<'a>(workgroup_size: [u32; 3], groups: [u32; 3], bindings: &'a [Binding<'a>]) -> Job<'a> {
+        Job { shader: Shader::Wgsl(""), entry: "main", workgroup_size, groups, bindings }
+    }
+
+    fn storage(group: u32, binding: u32, data: &[u8]) -> Binding<'_> {
+        Binding { group, binding, kind: BindingKind::StorageRead, data }
+    }
+
+    #[track_caller]
+    fn refused(job: &Job, part: &str) {
+        let limits = wgpu::Limits { max_storage_buffer_binding_size: 64, ..Default::default() };
+        let message = check("some-driver", &limits, job).expect_err("should be refused").to_string();
+        assert!(message.contains(part), "{message}");
+    }
+
+    #[test]
+    fn a_sound_job_passes() {
+        let bindings = [storage(0, 0, &[0; 4]), storage(0, 1, &[0; 8])];
+        assert_eq!(check("d", &wgpu::Limits::default(), &job([64, 1, 1], [1; 3], &bindings)), Ok(()));
+    }
+
+    #[test]
+    fn sizes_that_no_device_runs() {
+        refused(&job([0, 1, 1], [1; 3], &[]), "every axis must be at least 1");
+        refused(&job([u32::MAX; 3], [1; 3], &[]), "larger than the driver allows");
+        refused(&job([16, 16, 2], [1; 3], &[]), "256 in all");
+        refused(&job([1; 3], [1, 0, 1], &[]), "nothing would run");
+        refused(
+            &job([1; 3], [1, 65_536, 1], &[]),
+            "some-driver: [1, 65536, 1] workgroups are more than the 65535",
+        );
+    }
+
+    #[test]
+    fn buffers_that_no_device_binds() {
+        refused(&job([1; 3], [1; 3], &[storage(0, 0, &[])]), "has 0 bytes");
+        refused(&job([1; 3], [1; 3], &[storage(0, 3, &[0; 6])]), "group 0, binding 3 has 6 bytes");
+        refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 68])]), "68 bytes, the driver allows 64");
+        refused(&job([1; 3], [1; 3], &[storage(9, 0, &[0; 4])]), "groups end at 3");
+        refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 4]), storage(0, 0, &[0; 4])]), "bound twice");
+    }
+
+    #[test]
+    fn more_buffers_than_a_device_binds() {
+        // By default 8 storage buffers a shader.
+        let many: Vec<_> = (0..9).map(|number| storage(0, number, &[0; 4])).collect();
+        refused(&job([1; 3], [1; 3], &many), "9 storage buffers and 0 unused numbers");
+        let high = [storage(0, 8, &[0; 4])];
+        let sparse = [storage(0, 7, &[0; 4]), storage(1, 3, &[0; 4])];
+        let spirv = |bindings| Job { shader: Shader::Spirv(&[]), ..job([1; 3], [1; 3], bindings) };
+        refused(&spirv(&high), "binding 8 is too high a number for SPIR-V on some-driver");
+        refused(&spirv(&sparse), "2 storage buffers and 10 unused numbers");
+    }
+}

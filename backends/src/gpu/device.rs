@@ -1,0 +1,221 @@
+//! One opened device: pipeline, buffers, dispatch, read back.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::buffers::{Buffers, Spare};
+use super::driver::{self, block_on};
+use super::pipelines::{self, Key, Pipeline, Pipelines};
+use super::{Driver, GpuError, Job, Shader};
+
+/// Asked for where the adapter has them; none changes what a shader without them computes.
+const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
+    .union(wgpu::Features::SHADER_F64)
+    .union(wgpu::Features::SHADER_F16)
+    .union(wgpu::Features::SHADER_INT64)
+    .union(wgpu::Features::SUBGROUP);
+
+/// A device with what was made on it.
+pub(super) struct Device {
+    name: String,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    faults: Arc<Faults>,
+    pipelines: Pipelines,
+    spare: Spare,
+    /// Bound where a job skips a number (`pipelines::fillers`).
+    filler: wgpu::Buffer,
+}
+
+/// What the device reports by callback, from whatever thread.
+#[derive(Default)]
+struct Faults {
+    lost: Mutex<Option<String>>,
+    uncaptured: Mutex<Option<String>>,
+}
+
+/// Why a step failed, before it is known which step it was.
+enum Fault {
+    Lost(String),
+    OutOfMemory,
+    Rejected(String),
+}
+
+fn keep_first(slot: &Mutex<Option<String>>, message: String) {
+    slot.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(message);
+}
+
+fn taken(slot: &Mutex<Option<String>>) -> Option<String> {
+    slot.lock().unwrap_or_else(PoisonError::into_inner).take()
+}
+
+fn held(slot: &Mutex<Option<String>>) -> Option<String> {
+    slot.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}
+
+impl Device {
+    pub(super) fn open(driver: &Driver) -> Result<Self, GpuError> {
+        let failed = |reason: String| GpuError::Open { driver: driver.name.clone(), reason };
+        let adapter = driver::adapter(driver).map_err(failed)?;
+        let descriptor = wgpu::DeviceDescriptor {
+            required_features: adapter.features() & WANTED,
+            required_limits: adapter.limits(),
+            ..Default::default()
+        };
+        let opened = block_on(adapter.request_device(&descriptor));
+        let (device, queue) = opened.map_err(|error| failed(error.to_string()))?;
+        let faults = Arc::new(Faults::default());
+        watch(&device, &faults);
+        let filler = device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: wgpu::COPY_BUFFER_ALIGNMENT,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        });
+        let (pipelines, spare) = Default::default();
+        Ok(Self { name: driver.name.clone(), device, queue, faults, pipelines, spare, filler })
+    }
+
+    pub(super) fn limits(&self) -> wgpu::Limits {
+        self.device.limits()
+    }
+
+    /// Whether nothing more can be run on it.
+    pub(super) fn is_lost(&self) -> bool {
+        held(&self.faults.lost).is_some()
+    }
+
+    /// Runs a job that has passed `check`.
+    pub(super) fn run(&mut self, job: &Job) -> Result<Vec<Vec<u8>>, GpuError> {
+        let pipeline = self.pipeline(job)?;
+        let mut spare = std::mem::take(&mut self.spare);
+        let step = self.scoped(|| {
+            let buffers = Buffers::fill(&mut spare, &self.device, &self.queue, job.bindings);
+            self.submit(&pipeline, &buffers, job);
+            buffers.map();
+            buffers
+        });
+        let buffers = step.map_err(|fault| self.runtime_error(fault))?;
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.report().map_err(|fault| self.runtime_error(fault))?;
+        waited.map_err(|error| self.runtime_error(Fault::Rejected(error.to_string())))?;
+        let outputs = buffers.read().map_err(|error| self.runtime_error(Fault::Rejected(error)))?;
+        self.spare = buffers.into_spare();
+        Ok(outputs)
+    }
+
+    fn pipeline(&mut self, job: &Job) -> Result<Pipeline, GpuError> {
+        let is_spirv = matches!(job.shader, Shader::Spirv(_));
+        if is_spirv && !self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) {
+            let feature = "unchanged SPIR-V (wgpu's PASSTHROUGH_SHADERS)";
+            return Err(GpuError::Unsupported { driver: self.name.clone(), feature });
+        }
+        let key = Key::of(job);
+        if let Some(pipeline) = self.pipelines.get(&key) {
+            return Ok(pipeline);
+        }
+        let built = self.scoped(|| pipelines::build(&self.device, job));
+        let pipeline = built.map_err(|fault| self.pipeline_error(fault, is_spirv))?;
+        self.pipelines.keep(key, pipeline.clone());
+        Ok(pipeline)
+    }
+
+    fn submit(&self, pipeline: &Pipeline, buffers: &Buffers, job: &Job) {
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&pipeline.pipeline);
+            for (group, layout) in (0..).zip(&pipeline.groups) {
+                if let Some(layout) = layout {
+                    pass.set_bind_group(group, &self.bind_group(group, layout, buffers, job), &[]);
+                }
+            }
+            let [x, y, z] = job.groups;
+            pass.dispatch_workgroups(x, y, z);
+        }
+        buffers.copy_back(&mut encoder);
+        self.queue.submit([encoder.finish()]);
+    }
+
+    fn bind_group(
+        &self,
+        group: u32,
+        layout: &wgpu::BindGroupLayout,
+        buffers: &Buffers,
+        job: &Job,
+    ) -> wgpu::BindGroup {
+        let of_group = job.bindings.iter().enumerate().filter(|(_, b)| b.group == group);
+        let bound = of_group.map(|(index, b)| (b.binding, buffers.bound(index)));
+        let fillers = pipelines::fillers(job, group).into_iter().map(|binding| (binding, &self.filler));
+        let entries: Vec<_> = bound
+            .chain(fillers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
+    /// Does `body` and collects what wgpu reports about it.
+    fn scoped<T>(&self, body: impl FnOnce() -> T) -> Result<T, Fault> {
+        use wgpu::ErrorFilter::{Internal, OutOfMemory, Validation};
+        let scopes = [Internal, Validation, OutOfMemory].map(|filter| self.device.push_error_scope(filter));
+        let value = body();
+        // Scopes nest: the last pushed is the first popped.
+        let errors: Vec<wgpu::Error> =
+            scopes.into_iter().rev().filter_map(|scope| block_on(scope.pop())).collect();
+        self.report()?;
+        errors.into_iter().next().map_or(Ok(value), |error| Err(fault_of(error)))
+    }
+
+    /// What the callbacks have reported since the last look.
+    fn report(&self) -> Result<(), Fault> {
+        if let Some(message) = held(&self.faults.lost) {
+            return Err(Fault::Lost(message));
+        }
+        taken(&self.faults.uncaptured).map_or(Ok(()), |message| Err(Fault::Rejected(message)))
+    }
+
+    fn pipeline_error(&self, fault: Fault, is_spirv: bool) -> GpuError {
+        let driver = self.name.clone();
+        match fault {
+            Fault::Lost(message) => GpuError::Refused { driver, message },
+            Fault::OutOfMemory => GpuError::OutOfMemory { driver },
+            Fault::Rejected(message) if is_spirv => GpuError::Refused { driver, message },
+            Fault::Rejected(message) => GpuError::InvalidWgsl { driver, message },
+        }
+    }
+
+    fn runtime_error(&self, fault: Fault) -> GpuError {
+        let driver = self.name.clone();
+        match fault {
+            Fault::Lost(message) => GpuError::DeviceLost { driver, message },
+            Fault::OutOfMemory => GpuError::OutOfMemory { driver },
+            Fault::Rejected(message) => GpuError::Rejected { driver, message },
+        }
+    }
+}
+
+fn watch(device: &wgpu::Device, faults: &Arc<Faults>) {
+    let lost = Arc::clone(faults);
+    device.set_device_lost_callback(move |reason, message| {
+        keep_first(&lost.lost, if message.is_empty() { format!("{reason:?}") } else { message });
+    });
+    let uncaptured = Arc::clone(faults);
+    device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+        keep_first(&uncaptured.uncaptured, error.to_string());
+    }));
+}
+
+fn fault_of(error: wgpu::Error) -> Fault {
+    match error {
+        wgpu::Error::OutOfMemory { .. } => Fault::OutOfMemory,
+        wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
+            Fault::Rejected(plain(&description))
+        }
+    }
+}
+
+/// wgpu's description without the heading that every one has.
+fn plain(description: &str) -> String {
+    let text = description.trim();
+    let text = text.strip_prefix("Validation Error").unwrap_or(text).trim_start();
+    text.strip_prefix("Caused by:").unwrap_or(text).trim().to_owned()
+}

