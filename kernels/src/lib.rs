@@ -1,1 +1,32 @@
-//! stub
+//! The mathematics of spherical-Gaussian lighting, each function written once.
+//!
+//! Every kernel is an ordinary Rust function, and a definition that `lobe-codegen` turns into WGSL,
+//! SPIR-V and HLSL.
+//! One file a subject; [`registry`] is the only list.
+//!
+//! Conventions, everywhere: directions are unit vectors that point away from the point they are used
+//! at; a spherical Gaussian is `G(w; v, k) = exp(log_amplitude + k (w·v - 1))`, its sharpness `k >= 0`;
+//! integrals over directions are in steradian.
+//!
+//! Numerics, everywhere: the stated budget is what the derived rounding-error bound stays inside, for
+//! any driver that keeps the accuracy rules of WGSL and Vulkan, over the stated domain; `lobe check`
+//! derives and compares it.
+//! Finite arguments inside the domain never give NaN.
+//! For NaN or infinite arguments the shading languages promise nothing (a compiler may assume that
+//! there are none): the native form then returns what its operations give in IEEE arithmetic, and a
+//! driver may return any value, but does return.
+//!
+//! A form that a paper prints and that loses accuracy is kept beside the default as `.._paper` (or
+//! under its author's name), marked as not robust with the reason.
+//!
+//! Sources:
+//! - `[Higham02]` N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002.
+//! - `[Iwasaki12]` K. Iwasaki et al., Interactive Bi-scale Editing of Highly Glossy Materials, 2012.
+//! - `[Tokuyoshi22]` Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, with
+//!   its supplementary document.
+//! - `[Wang09]` J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009.
+
+pub mod hsg;
+pub mod registry;
+pub mod sg;
+pub mod special;
