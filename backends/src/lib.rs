@@ -6,6 +6,9 @@
 //! Both take *artifacts*, the very text or words that a user of the emitted code gets, and know nothing of naga modules:
 //! what they prove, they prove about the emission too.
 
+pub mod executor;
 pub mod gpu;
+pub mod interp;
 pub mod route;
+pub mod routes;
 pub mod translate;

@@ -1,0 +1,81 @@
+//! Why a route gave no results.
+
+use crate::gpu::GpuError;
+use crate::translate::TranslateError;
+use lobe_codegen::lower::LowerError;
+
+/// An error of an interpreter or emitter, which have their own types.
+pub(super) type Cause = Box<dyn std::error::Error + Send + Sync>;
+
+/// Why a kernel could not be run on a route.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExecError {
+    /// The kernel is not written in the kernel language.
+    #[error("{0}")]
+    Lower(#[from] LowerError),
+    /// The kernel's module does not hold the kernel.
+    #[error("{kernel}: the lowered module has no function of this name; this is a defect of Lobe")]
+    Lost {
+        /// The kernel.
+        kernel: &'static str,
+    },
+    /// An entry point was given where a function is wanted.
+    #[error("{kernel} is an entry point and has no arguments by value; run a function instead")]
+    EntryPoint {
+        /// The kernel.
+        kernel: &'static str,
+    },
+    /// The arguments are not the kernel's.
+    #[error("{kernel} takes {expected} words a row, the arguments have {found}")]
+    Shape {
+        /// The kernel.
+        kernel: &'static str,
+        /// Scalars of its parameters.
+        expected: usize,
+        /// Columns given.
+        found: usize,
+    },
+    /// The Rust function panicked.
+    #[error("{kernel} panicked on row {row}: {message}; a kernel must return a value for every input")]
+    Panicked {
+        /// The kernel.
+        kernel: &'static str,
+        /// Index of the row, from 0.
+        row: usize,
+        /// The panic's words.
+        message: String,
+    },
+    /// The interpreter gave up.
+    #[error("{kernel}: the interpreter gave up: {cause}")]
+    Interp {
+        /// The kernel.
+        kernel: &'static str,
+        /// Its words.
+        cause: Cause,
+    },
+    /// The kernel cannot be emitted for this route.
+    #[error("{kernel}: not emitted: {cause}")]
+    Emit {
+        /// The kernel.
+        kernel: &'static str,
+        /// The emitter's words.
+        cause: Cause,
+    },
+    /// A foreign compiler is missing or refused the artifact.
+    #[error("{kernel}: {cause}")]
+    Translate {
+        /// The kernel.
+        kernel: &'static str,
+        /// The translator's words.
+        cause: TranslateError,
+    },
+    /// The driver refused or failed.
+    #[error("{kernel}: {cause}")]
+    Gpu {
+        /// The kernel.
+        kernel: &'static str,
+        /// What happened.
+        cause: GpuError,
+    },
+}

@@ -1,0 +1,197 @@
+//! An emitted artifact on a driver: emit, translate, pack, dispatch, unpack.
+
+use super::{ExecError, Executor, Program};
+use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
+use crate::route::{Road, Route};
+use crate::translate::{Dxc, DxcOutput, spirv_words};
+use lobe_codegen::data::Columns;
+use lobe_codegen::emit::{self, Artifact, Content, EntryLayout, Options, Target};
+use lobe_codegen::layout::{pack, unpack};
+use std::sync::{Arc, OnceLock};
+
+/// Invocations in a workgroup.
+const WORKGROUP: u32 = 64;
+/// Workgroups in a dispatch: the least that every driver starts along one axis.
+const GROUPS: usize = 65_535;
+/// Bytes in a buffer: WebGPU's default limit on storage bindings.
+const BYTES: usize = 128 << 20;
+
+/// What has been emitted of a program, each at its first use.
+#[derive(Debug, Default)]
+pub(super) struct Artifacts {
+    entry: OnceLock<(lobe_codegen::ValidModule, EntryLayout)>,
+    roads: [OnceLock<Words>; Road::ALL.len()],
+}
+
+/// What a driver is given.
+#[derive(Debug)]
+enum Words {
+    Wgsl(String),
+    Spirv(Vec<u32>),
+}
+
+/// Runs kernels on one driver, through one target and translator.
+pub struct GpuRoute {
+    route: Route,
+    road: Road,
+    gpu: Gpu,
+    dxc: Option<Arc<Dxc>>,
+}
+
+impl GpuRoute {
+    /// The route by `road` to the device `gpu`; `dxc` is needed by [`Road::HlslDxc`].
+    #[must_use]
+    pub fn new(route: Route, road: Road, gpu: Gpu, dxc: Option<Arc<Dxc>>) -> Self {
+        Self { route, road, gpu, dxc }
+    }
+
+    fn dispatch(
+        &mut self,
+        kernel: &Program,
+        words: &Words,
+        layout: &EntryLayout,
+        args: &Columns,
+    ) -> Result<Columns, ExecError> {
+        let buffers = pack_arguments(layout, args);
+        let results = vec![0; layout.result.stride as usize * args.rows];
+        let count = (args.rows as u32).to_le_bytes();
+        let mut bindings: Vec<Binding<'_>> = layout
+            .arguments
+            .iter()
+            .zip(&buffers)
+            .map(|(at, data)| bind(at.group, at.binding, BindingKind::StorageRead, data))
+            .collect();
+        let result = &layout.result;
+        bindings.push(bind(result.group, result.binding, BindingKind::StorageReadWrite, &results));
+        bindings.push(bind(result.group, layout.count_binding, BindingKind::Uniform, &count));
+        let outputs = self.gpu.run(&Job {
+            shader: words.shader(),
+            entry: &layout.entry_name,
+            workgroup_size: [layout.workgroup_size, 1, 1],
+            groups: [(args.rows as u32).div_ceil(layout.workgroup_size), 1, 1],
+            bindings: &bindings,
+        });
+        let outputs = outputs.map_err(|cause| ExecError::Gpu { kernel: kernel.name(), cause })?;
+        let bytes = outputs.first().map_or(&[][..], Vec::as_slice);
+        Ok(Columns { columns: unpack(result, bytes, args.rows), rows: args.rows })
+    }
+}
+
+impl Executor for GpuRoute {
+    fn route(&self) -> &Route {
+        &self.route
+    }
+
+    fn run(&mut self, kernel: &Program, args: &Columns) -> Result<Columns, ExecError> {
+        kernel.check_shape(args)?;
+        let layout = &kernel.entry()?.1;
+        let words = kernel.words(self.road, self.dxc.as_deref())?;
+        let rows = rows_at_once(layout);
+        let mut out = Columns::zeros(kernel.results().len(), 0);
+        let mut start = 0;
+        while start < args.rows {
+            let end = (start + rows).min(args.rows);
+            out.append(&self.dispatch(kernel, words, layout, &args.slice(start..end))?);
+            start = end;
+        }
+        Ok(out)
+    }
+}
+
+impl std::fmt::Debug for GpuRoute {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("GpuRoute").field("route", &self.route).finish_non_exhaustive()
+    }
+}
+
+impl Words {
+    fn shader(&self) -> Shader<'_> {
+        match self {
+            Self::Wgsl(text) => Shader::Wgsl(text),
+            Self::Spirv(words) => Shader::Spirv(words),
+        }
+    }
+}
+
+fn bind(group: u32, binding: u32, kind: BindingKind, data: &[u8]) -> Binding<'_> {
+    Binding { group, binding, kind, data }
+}
+
+/// A buffer for each parameter; the columns of `args` follow the parameters.
+fn pack_arguments(layout: &EntryLayout, args: &Columns) -> Vec<Vec<u8>> {
+    let mut rest = &args.columns[..];
+    let buffers = layout.arguments.iter().map(|at| {
+        let (own, others) = rest.split_at(at.leaves.len().min(rest.len()));
+        rest = others;
+        pack(at, own, args.rows)
+    });
+    buffers.collect()
+}
+
+fn rows_at_once(layout: &EntryLayout) -> usize {
+    let strides = layout.arguments.iter().map(|at| at.stride).chain([layout.result.stride, 4]);
+    let widest = strides.max().unwrap_or(4) as usize;
+    (GROUPS * layout.workgroup_size as usize).min(BYTES / widest.max(4)).max(1)
+}
+
+impl Program {
+    /// The module with a compute entry point that applies the kernel to rows of buffers, and its layout.
+    ///
+    /// # Errors
+    /// When a parameter or the result is something that no buffer holds.
+    pub fn entry(&self) -> Result<&(lobe_codegen::ValidModule, EntryLayout), ExecError> {
+        if let Some(ready) = self.artifacts.entry.get() {
+            return Ok(ready);
+        }
+        let made = emit::with_entry(self.module(), self.handle(), WORKGROUP)
+            .map_err(|cause| ExecError::Emit { kernel: self.name(), cause: cause.into() })?;
+        Ok(self.artifacts.entry.get_or_init(|| made))
+    }
+
+    /// The complete compute shader for `target`, as a user gets it.
+    ///
+    /// # Errors
+    /// When the kernel cannot be emitted.
+    pub fn artifact(&self, target: Target) -> Result<Artifact, ExecError> {
+        let module = &self.entry()?.0;
+        emit::emit(module, target, &Options::default())
+            .map_err(|cause| ExecError::Emit { kernel: self.name(), cause: cause.into() })
+    }
+
+    fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<&Words, ExecError> {
+        let place = &self.artifacts.roads[road as usize];
+        if let Some(ready) = place.get() {
+            return Ok(ready);
+        }
+        let made = match road {
+            Road::Spirv => content(self.artifact(Target::Spirv)?.content),
+            Road::WgslNaga => content(self.artifact(Target::Wgsl)?.content),
+            Road::HlslDxc => self.through_dxc(dxc)?,
+        };
+        Ok(place.get_or_init(|| made))
+    }
+
+    fn through_dxc(&self, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
+        let fail = |cause| ExecError::Translate { kernel: self.name(), cause };
+        let found;
+        let dxc = match dxc {
+            Some(dxc) => dxc,
+            None => {
+                found = Dxc::find().map_err(fail)?;
+                &found
+            }
+        };
+        let entry = &self.entry()?.1.entry_name;
+        let artifact = self.artifact(Target::Hlsl)?;
+        let text = artifact.content.text().unwrap_or_default();
+        let object = dxc.compile(text, "cs_6_0", Some(entry), DxcOutput::Spirv).map_err(fail)?;
+        spirv_words(&object).map(Words::Spirv).map_err(fail)
+    }
+}
+
+fn content(content: Content) -> Words {
+    match content {
+        Content::Text(text) => Words::Wgsl(text),
+        Content::Words(words) => Words::Spirv(words),
+    }
+}
