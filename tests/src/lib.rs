@@ -1,3 +1,12 @@
-//! The harness: inputs, questions, oracle tables, reports.
+//! The harness: inputs out of stated domains, the four questions, oracle tables, reports.
+//!
+//! [`judge::judge`] asks one kernel all questions; [`oracle`] judges by tables of independent values.
+
+pub mod cases;
 pub mod domain;
+pub mod judge;
+pub mod oracle;
+pub mod question;
+pub mod report;
+pub mod subject;
 pub mod value;

@@ -68,8 +68,7 @@ fn is_wide(lo: f64, hi: f64) -> bool {
 fn exponential(lo: f64, hi: f64, fraction: f64) -> f64 {
     let (largest_negative, largest_positive) = (-lo.min(0.0), hi.max(0.0));
     if largest_negative > 0.0 && largest_positive > 0.0 {
-        let (sign, largest) =
-            if fraction < 0.5 { (-1.0, largest_negative) } else { (1.0, largest_positive) };
+        let (sign, largest) = if fraction < 0.5 { (-1.0, largest_negative) } else { (1.0, largest_positive) };
         return sign * between(0.0, largest, (2.0 * fraction).fract());
     }
     if hi > 0.0 { between(lo, hi, fraction) } else { -between(-hi, -lo, fraction) }

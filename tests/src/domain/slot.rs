@@ -74,7 +74,8 @@ pub enum DomainError {
 /// # Errors
 /// When a scalar has no domain, or a domain does not fit.
 pub fn slots(kernel: &'static FunctionDef) -> Result<Vec<Slot>, DomainError> {
-    let mut walk = Walk { kernel, used: vec![false; kernel.contract.domain.len()], column: 0, slots: Vec::new() };
+    let mut walk =
+        Walk { kernel, used: vec![false; kernel.contract.domain.len()], column: 0, slots: Vec::new() };
     for param in kernel.params {
         walk.visit(param.name, &param.ty, None)?;
     }
@@ -105,7 +106,9 @@ impl Walk {
             }
             TypeDef::Vector(n, scalar) => {
                 let names = ["x", "y", "z", "w"].iter().take(n.into());
-                names.into_iter().try_for_each(|c| self.visit(&format!("{path}.{c}"), &TypeDef::Scalar(scalar), domain))
+                names
+                    .into_iter()
+                    .try_for_each(|c| self.visit(&format!("{path}.{c}"), &TypeDef::Scalar(scalar), domain))
             }
             TypeDef::Matrix(columns, rows) => {
                 let names = ["x_axis", "y_axis", "z_axis", "w_axis"].iter().take(columns.into());
@@ -137,7 +140,9 @@ impl Walk {
                 Values::Range(lo, hi)
             }
             Some(Domain::Range(lo, hi)) => {
-                return Err(self.bad(path, format!("is {lo:?}..={hi:?}, which is no range of {}", scalar.name())));
+                return Err(
+                    self.bad(path, format!("is {lo:?}..={hi:?}, which is no range of {}", scalar.name()))
+                );
             }
             Some(Domain::Values(list)) if !list.is_empty() && list.iter().all(|v| fits(scalar, *v)) => {
                 Values::Listed(list.to_vec())

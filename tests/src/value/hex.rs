@@ -81,7 +81,9 @@ mod tests {
 
     #[test]
     fn what_is_no_hexadecimal_float_is_refused() {
-        for text in ["", "1.5", "0x", "0x.", "0xg", "0x1p", "0x1p1.5", "0x1p99999", "infinite", "0x123456789abcdef"] {
+        for text in
+            ["", "1.5", "0x", "0x.", "0xg", "0x1p", "0x1p1.5", "0x1p99999", "infinite", "0x123456789abcdef"]
+        {
             assert_eq!(parse_hex(text), None, "{text}");
         }
     }

@@ -78,7 +78,13 @@ fn wrong(path: &str, reason: String) -> Parsed {
     Err(Wrong { key: path.to_owned(), reason })
 }
 
-fn object(owner: &str, path: &str, members: &[(&str, &TypeDef)], value: &Value, out: &mut Vec<u32>) -> Parsed {
+fn object(
+    owner: &str,
+    path: &str,
+    members: &[(&str, &TypeDef)],
+    value: &Value,
+    out: &mut Vec<u32>,
+) -> Parsed {
     let names = members.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
     let Value::Object(map) = value else {
         return wrong(path, format!("{owner} are an object with the members {names}, not {}", kind(value)));
@@ -125,9 +131,10 @@ fn any(path: &str, ty: &TypeDef, value: &Value, out: &mut Vec<u32>) -> Parsed {
 
 fn list(path: &str, ty: &TypeDef, n: usize, element: &TypeDef, value: &Value, out: &mut Vec<u32>) -> Parsed {
     match value {
-        Value::Array(items) if items.len() == n => {
-            items.iter().enumerate().try_for_each(|(i, item)| any(&format!("{path}[{i}]"), element, item, out))
-        }
+        Value::Array(items) if items.len() == n => items
+            .iter()
+            .enumerate()
+            .try_for_each(|(i, item)| any(&format!("{path}[{i}]"), element, item, out)),
         Value::Array(items) => {
             wrong(path, format!("`{path}` ({ty}) has {n} elements, {} are given", items.len()))
         }

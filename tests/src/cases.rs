@@ -1,0 +1,58 @@
+//! Where cases are kept: `<kernel>.jsonl` with rows that once went wrong, `oracle/` with tables of
+//! high-precision values.
+
+use crate::judge::JudgeError;
+use crate::value::parse_rows;
+use lobe_codegen::data::{Columns, leaves};
+use lobe_codegen::def::FunctionDef;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// The folder of cases.
+#[derive(Clone, Debug)]
+pub struct Cases(PathBuf);
+
+impl Cases {
+    /// The folder that `LOBE_CASES` names, else `tests/cases` of the source tree that this was built from.
+    #[must_use]
+    pub fn standard() -> Self {
+        match std::env::var_os("LOBE_CASES").filter(|value| !value.is_empty()) {
+            Some(named) => Self(named.into()),
+            None => Self(Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")),
+        }
+    }
+
+    /// The cases in `folder`.
+    #[must_use]
+    pub fn at(folder: impl Into<PathBuf>) -> Self {
+        Self(folder.into())
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.0
+    }
+
+    /// The table of values of the function `name`.
+    #[must_use]
+    pub fn table(&self, name: &str) -> PathBuf {
+        self.0.join("oracle").join(format!("{name}.jsonl"))
+    }
+
+    /// The listed rows of `kernel`: arguments as `lobe eval` reads them. A kernel without a file has none.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or a row of it is malformed.
+    pub fn listed(&self, kernel: &FunctionDef) -> Result<Columns, JudgeError> {
+        let path = self.0.join(format!("{}.jsonl", kernel.name));
+        match std::fs::read_to_string(&path) {
+            Ok(text) => parse_rows(kernel, &text).map_err(|cause| JudgeError::Listed { path, cause }),
+            Err(e) if e.kind() == ErrorKind::NotFound => {
+                let width = kernel.params.iter().map(|p| leaves(p.name, &p.ty).len()).sum();
+                Ok(Columns::zeros(width, 0))
+            }
+            Err(cause) => Err(JudgeError::Read { path, cause }),
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Asks a kernel the four questions.
+
+use crate::cases::Cases;
+use crate::domain::{DomainError, Inputs};
+use crate::oracle::{self, Mapping};
+use crate::question::agree::Agree;
+use crate::question::conformant::Conformant;
+use crate::question::correct::Approximation;
+use crate::question::robust::Robust;
+use crate::question::{Answer, Batch, Question, Verdict};
+use crate::report::KernelReport;
+use crate::subject::Subject;
+use crate::value::RowError;
+use lobe_backends::executor::{ExecError, Executor};
+use lobe_backends::route::Route;
+use lobe_codegen::data::Columns;
+use lobe_codegen::def::FunctionRef;
+use std::path::PathBuf;
+
+/// Rows judged at once: enough to occupy every thread and driver, little enough to show progress.
+const BATCH: usize = 16_384;
+
+/// What a kernel is asked with.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Rows to draw from the domain.
+    pub inputs: usize,
+    /// Where the drawing begins.
+    pub seed: u64,
+    /// Where listed cases and oracle tables lie.
+    pub cases: Cases,
+    /// Which table speaks of which kernel.
+    pub mapping: Mapping,
+}
+
+/// Why a kernel could not be judged.
+#[derive(Debug, thiserror::Error)]
+pub enum JudgeError {
+    /// It does not run.
+    #[error("{0}")]
+    Exec(#[from] ExecError),
+    /// Its inputs cannot be drawn.
+    #[error("{0}")]
+    Domain(#[from] DomainError),
+    /// A file of listed cases cannot be used.
+    #[error("{}: {cause}", path.display())]
+    Listed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        cause: RowError,
+    },
+    /// A file cannot be read.
+    #[error("{}: cannot be read: {cause}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's words.
+        cause: std::io::Error,
+    },
+    /// There is nothing to judge.
+    #[error("{kernel} returns no value, so there is nothing to judge")]
+    NoResult {
+        /// The kernel.
+        kernel: &'static str,
+    },
+}
+
+/// Judges `kernel` on `routes`; what keeps it from being judged becomes an answer that falls short.
+///
+/// `progress` is called with the number of rows done.
+pub fn judge(
+    kernel: FunctionRef,
+    plan: &Plan,
+    routes: &mut [Box<dyn Executor>],
+    progress: &dyn Fn(usize),
+) -> KernelReport {
+    let mut report = KernelReport::new(kernel());
+    match answers(kernel, plan, routes, progress, &mut report) {
+        Ok(answers) => report.answers = answers,
+        Err(error) => {
+            let verdict = Verdict::FallsShort(error.to_string());
+            report.answers = vec![Answer::bare(Question::Correct, "", verdict)];
+        }
+    }
+    report
+}
+
+fn answers(
+    kernel: FunctionRef,
+    plan: &Plan,
+    routes: &mut [Box<dyn Executor>],
+    progress: &dyn Fn(usize),
+    report: &mut KernelReport,
+) -> Result<Vec<Answer>, JudgeError> {
+    let subject = Subject::new(kernel)?;
+    if subject.program().results().is_empty() {
+        return Err(JudgeError::NoResult { kernel: subject.def().name });
+    }
+    let listed = plan.cases.listed(subject.def())?;
+    let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
+    report.take_inputs(&inputs);
+    let mut questions = Questions::new(routes);
+    let mut start = 0;
+    while start < inputs.args.rows {
+        let end = (start + BATCH).min(inputs.args.rows);
+        questions.ask(&subject, &inputs.args.slice(start..end), routes)?;
+        progress(end - start);
+        start = end;
+    }
+    let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
+    answers.extend(questions.finish(&subject));
+    Ok(answers)
+}
+
+struct Questions {
+    approximation: Approximation,
+    robust: Robust,
+    conformant: Conformant,
+    agree: Agree,
+}
+
+impl Questions {
+    fn new(routes: &[Box<dyn Executor>]) -> Self {
+        let names: Vec<Route> = routes.iter().map(|r| r.route().clone()).collect();
+        Self {
+            approximation: Approximation::default(),
+            robust: Robust::default(),
+            conformant: Conformant::default(),
+            agree: Agree::new(&names),
+        }
+    }
+
+    fn ask(
+        &mut self,
+        subject: &Subject,
+        args: &Columns,
+        routes: &mut [Box<dyn Executor>],
+    ) -> Result<(), JudgeError> {
+        let shadow = subject.program().shadow(args, None)?;
+        let permitted = subject.permitted(args, &shadow)?;
+        let outputs: Vec<_> = routes
+            .iter_mut()
+            .map(|r| (r.route().clone(), r.run(subject.program(), args).map_err(|e| e.to_string())))
+            .collect();
+        let batch = Batch { subject, args, shadow: &shadow, permitted: &permitted, outputs: &outputs };
+        self.approximation.absorb(&batch);
+        self.robust.absorb(&batch);
+        self.conformant.absorb(&batch);
+        self.agree.absorb(&batch);
+        Ok(())
+    }
+
+    fn finish(self, subject: &Subject) -> Vec<Answer> {
+        let mut answers: Vec<Answer> = self.approximation.finish(subject).into_iter().collect();
+        answers.push(self.robust.finish(subject));
+        answers.extend(self.conformant.finish());
+        answers.extend(self.agree.finish());
+        answers
+    }
+}

@@ -1,0 +1,175 @@
+//! Which table speaks of which kernel, and how its columns become arguments.
+//!
+//! The standard mapping is `tests/cases/oracle-map.json`, compiled in.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A mapping file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mapping {
+    /// Of the format; 1.
+    pub version: u32,
+    /// In any order; a row of a table is judged by every entry that matches it.
+    pub entries: Vec<Entry>,
+}
+
+/// One use of a table.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Entry {
+    /// `fn` of the rows.
+    #[serde(rename = "fn")]
+    pub function: String,
+    /// `kind` of the rows.
+    pub kind: String,
+    /// `variant` of the rows; none matches rows without.
+    #[serde(default)]
+    pub variant: Option<String>,
+    /// The kernel that the rows judge.
+    pub kernel: String,
+    /// What feeds each argument or part of one, by its path.
+    pub args: BTreeMap<String, Source>,
+    /// Which member of the value judges each part of the result, both by path; empty for the whole.
+    pub result: BTreeMap<String, String>,
+    /// A column by which the kernel's result is multiplied before it is compared.
+    #[serde(default)]
+    pub times: Option<String>,
+    /// Whether the value is to be matched, or an approximation error measured.
+    pub rule: Rule,
+    /// Errors permitted beside those of the rule.
+    #[serde(default)]
+    pub slack: Vec<Slack>,
+    /// Rows that are passed over.
+    #[serde(default)]
+    pub skip: Vec<Skip>,
+}
+
+/// Rows that an entry passes over: those that meet every condition it states.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Skip {
+    /// A text in the row's tag.
+    #[serde(default)]
+    pub tag: Option<String>,
+    /// Columns and the values that they have.
+    #[serde(default)]
+    pub args: BTreeMap<String, f64>,
+    /// Why.
+    pub why: String,
+}
+
+/// Where the value of an argument comes from.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Source {
+    /// A constant.
+    Constant(f64),
+    /// A column, or a member of a nested one by its path.
+    Column(String),
+    /// A column that is changed in f64 first.
+    Transformed(Transform),
+}
+
+/// A change of a column's value.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Transform {
+    /// A vector, normalised in f64: the tables' values are those of the normalised vectors.
+    Unit(String),
+    /// The natural logarithm.
+    Ln(String),
+}
+
+/// What is asked of the rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rule {
+    /// The formula is to be matched.
+    Match,
+    /// The value is that of an exact integral, which the kernel approximates within the slack.
+    Approximate,
+}
+
+/// A permitted error: `factor · of`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Slack {
+    /// In which lane.
+    pub lane: Lane,
+    /// The factor.
+    pub factor: f64,
+    /// What it multiplies.
+    pub of: Scale,
+    /// Why.
+    pub why: String,
+}
+
+/// The arithmetic that a result was computed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Lane {
+    /// The f64 value.
+    F64,
+    /// A route's f32 result.
+    F32,
+    /// Either.
+    Both,
+}
+
+/// A quantity of a row that an error can be proportional to.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Scale {
+    /// 1: an absolute error.
+    One,
+    /// The value: a relative error.
+    Value,
+    /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness`, the integral over the lobe's own
+    /// hemisphere, out of the columns of these names.
+    HemisphereIntegral,
+}
+
+/// A mapping that cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[error("the oracle mapping cannot be used: {0}")]
+pub struct MappingError(String);
+
+impl Mapping {
+    /// The mapping of Lobe's own kernels.
+    ///
+    /// # Errors
+    /// When the file that was compiled in is malformed, which a test rules out.
+    pub fn standard() -> Result<Self, MappingError> {
+        Self::parse(include_str!("../../cases/oracle-map.json"))
+    }
+
+    /// Reads a mapping.
+    ///
+    /// # Errors
+    /// When it is no JSON of this format, or of another version.
+    pub fn parse(text: &str) -> Result<Self, MappingError> {
+        let mapping: Self = serde_json::from_str(text).map_err(|e| MappingError(e.to_string()))?;
+        match mapping.version {
+            1 => Ok(mapping),
+            other => Err(MappingError(format!("its version is {other}, this Lobe reads 1"))),
+        }
+    }
+
+    /// The entries that judge `kernel`.
+    pub fn of_kernel<'a>(&'a self, kernel: &'a str) -> impl Iterator<Item = &'a Entry> {
+        self.entries.iter().filter(move |e| e.kernel == kernel)
+    }
+}
+
+impl Entry {
+    /// `table`, or `table (kind)`, or `table (kind, variant)`: what an answer is about.
+    #[must_use]
+    pub fn label(&self) -> String {
+        match &self.variant {
+            None => format!("{} ({})", self.function, self.kind),
+            Some(variant) => format!("{} ({}, {variant})", self.function, self.kind),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! What a check found, for people ([`human`]), for programs ([`json`]) and for CI servers ([`junit`]).
+
+pub mod human;
+pub mod json;
+pub mod junit;
+
+use crate::domain::Inputs;
+use crate::question::{Answer, Verdict};
+use lobe_codegen::def::FunctionDef;
+
+/// The outcome of a whole run.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Report {
+    /// Of the JSON format; grows when a reader would have to change.
+    pub schema: u32,
+    /// Of Lobe.
+    pub version: &'static str,
+    /// What was run, as `check`.
+    pub command: &'static str,
+    /// Where the drawing of inputs began.
+    pub seed: u64,
+    /// Routes that ran.
+    pub routes: Vec<String>,
+    /// Routes that could have run and did not.
+    pub skipped: Vec<Skipped>,
+    /// Kernel by kernel.
+    pub kernels: Vec<KernelReport>,
+    /// Rows of tables that no kernel is mapped to, by function.
+    pub unmapped: std::collections::BTreeMap<String, usize>,
+}
+
+/// A route that did not run.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Skipped {
+    /// The route.
+    pub route: String,
+    /// What is missing.
+    pub what: String,
+    /// What to do about it.
+    pub mend: String,
+}
+
+/// The outcome of one kernel.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct KernelReport {
+    /// Its name.
+    pub name: String,
+    /// Subject it belongs to.
+    pub family: &'static str,
+    /// Where its equation stands.
+    pub cite: &'static str,
+    /// Rows drawn.
+    pub inputs: usize,
+    /// Rows out of files among them.
+    pub listed: usize,
+    /// The answers, in the order of the questions.
+    pub answers: Vec<Answer>,
+}
+
+/// Answers by verdict.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Tally {
+    /// Yes.
+    pub hold: usize,
+    /// No.
+    pub fall_short: usize,
+    /// No, as expected.
+    pub expected_failures: usize,
+    /// Nothing to ask.
+    pub not_asked: usize,
+}
+
+impl Report {
+    /// An empty report of `command`.
+    #[must_use]
+    pub fn new(command: &'static str, seed: u64) -> Self {
+        Self {
+            schema: json::SCHEMA,
+            version: env!("CARGO_PKG_VERSION"),
+            command,
+            seed,
+            routes: Vec::new(),
+            skipped: Vec::new(),
+            kernels: Vec::new(),
+            unmapped: Default::default(),
+        }
+    }
+
+    /// Counts the answers.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        let mut tally = Tally::default();
+        for answer in self.kernels.iter().flat_map(|k| &k.answers) {
+            match answer.verdict {
+                Verdict::Holds => tally.hold += 1,
+                Verdict::FallsShort(_) => tally.fall_short += 1,
+                Verdict::ExpectedFailure(_) => tally.expected_failures += 1,
+                Verdict::NotAsked(_) => tally.not_asked += 1,
+            }
+        }
+        tally
+    }
+
+    /// Whether all holds, and something was asked at all.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        let tally = self.tally();
+        let cases: usize = self.kernels.iter().flat_map(|k| &k.answers).map(|a| a.cases).sum();
+        tally.fall_short == 0 && tally.hold > 0 && cases > 0
+    }
+}
+
+impl KernelReport {
+    /// A report of `kernel` without answers.
+    #[must_use]
+    pub fn new(kernel: &FunctionDef) -> Self {
+        Self {
+            name: kernel.name.to_owned(),
+            family: kernel.contract.family,
+            cite: kernel.contract.cite,
+            inputs: 0,
+            listed: 0,
+            answers: Vec::new(),
+        }
+    }
+
+    /// A report of a kernel that does not exist.
+    #[must_use]
+    pub fn unknown(name: &str) -> Self {
+        Self { name: name.to_owned(), family: "", cite: "", inputs: 0, listed: 0, answers: Vec::new() }
+    }
+
+    pub(crate) fn take_inputs(&mut self, inputs: &Inputs) {
+        self.inputs = inputs.args.rows;
+        let listed = inputs.families.iter().filter(|(family, _)| *family == crate::domain::Family::Listed);
+        self.listed = listed.map(|(_, n)| n).sum();
+    }
+
+    /// Whether an answer falls short.
+    #[must_use]
+    pub fn falls_short(&self) -> bool {
+        self.answers.iter().any(Answer::falls_short)
+    }
+}

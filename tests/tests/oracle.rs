@@ -1,0 +1,156 @@
+//! The oracle catches a wrong kernel, a wrong mapping and a wrong table.
+
+use lobe_backends::executor::{Executor, Native};
+use lobe_codegen::def::FunctionRef;
+use lobe_codegen::prelude::*;
+use lobe_tests::oracle::{Mapping, Row, TableReport, judge_table, table};
+use lobe_tests::question::Verdict;
+
+/// Squares.
+#[kernel]
+fn square(x: f32) -> f32 {
+    x * x
+}
+
+/// Squares, nearly.
+#[kernel]
+fn nearly_square(x: f32) -> f32 {
+    x * x * 1.0001
+}
+
+/// The cosine between directions.
+#[kernel]
+fn cosine(a: Vec3, b: Vec3) -> f32 {
+    dot(a, b)
+}
+
+fn kernel(name: &str) -> Option<FunctionRef> {
+    lobe_codegen::kernels![square, nearly_square, cosine].into_iter().find(|k| k().name == name)
+}
+
+fn mapping(kernel: &str, args: &str, more: &str) -> Mapping {
+    let text = format!(
+        r#"{{"version": 1, "entries": [{{"fn": "f", "kind": "formula-f64", "kernel": "{kernel}",
+            "args": {args}, "result": {{"": ""}}, "rule": "match"{more}}}]}}"#
+    );
+    Mapping::parse(&text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn rows(lines: &[&str]) -> Vec<Row> {
+    lines.iter().map(|line| serde_json::from_str(line).expect("a row")).collect()
+}
+
+const SQUARES: [&str; 3] = [
+    r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": 9, "df32": 1e-6}"#,
+    r#"{"fn": "f", "args": {"x": 0}, "kind": "formula-f64", "value": 0}"#,
+    r#"{"fn": "f", "args": {"x": 0.5}, "kind": "formula-f64", "value": 0.25, "tag": "a half"}"#,
+];
+
+fn judged(mapping: &Mapping, lines: &[&str]) -> TableReport {
+    let mut routes: [Box<dyn Executor>; 1] = [Box::new(Native)];
+    judge_table(&rows(lines), mapping, &kernel, &mut routes)
+}
+
+#[track_caller]
+fn assert_short(report: &TableReport, part: &str) {
+    let short = report.answers.iter().find_map(|(_, a)| match &a.verdict {
+        Verdict::FallsShort(why) => Some(why.clone()),
+        Verdict::Holds | Verdict::ExpectedFailure(_) | Verdict::NotAsked(_) => None,
+    });
+    let why = short.unwrap_or_else(|| panic!("all holds instead of {part}"));
+    assert!(why.contains(part), "{why}");
+}
+
+#[test]
+fn a_right_kernel_holds_in_f64_and_on_the_route() {
+    let report = judged(&mapping("square", r#"{"x": "x"}"#, ""), &SQUARES);
+    let verdicts: Vec<_> =
+        report.answers.iter().map(|(_, a)| (a.subject.as_str(), &a.verdict, a.cases)).collect();
+    let holds = &Verdict::Holds;
+    assert_eq!(verdicts, [("f (formula-f64), f64", holds, 3), ("f (formula-f64), native", holds, 3)]);
+}
+
+#[test]
+fn a_wrong_kernel_falls_short_in_both_lanes() {
+    let report = judged(&mapping("nearly_square", r#"{"x": "x"}"#, ""), &SQUARES);
+    for (_, answer) in &report.answers {
+        let Verdict::FallsShort(why) = &answer.verdict else { panic!("{answer:?}") };
+        assert!(why.contains("2 of 3 rows"), "{why}");
+        assert!(answer.worst.is_some());
+    }
+}
+
+#[test]
+fn vectors_are_normalised_before_they_are_exact() {
+    let line = r#"{"fn": "f", "args": {"a": [0.6, 0.0, 0.80000001], "b": [0, 0, 2]}, "kind": "formula-f64",
+        "value": 0.800000003599999967}"#;
+    let report = judged(&mapping("cosine", r#"{"a": {"unit": "a"}, "b": {"unit": "b"}}"#, ""), &[line]);
+    assert!(report.answers.iter().all(|(_, a)| a.verdict == Verdict::Holds), "{report:?}");
+    let report = judged(&mapping("cosine", r#"{"a": "a", "b": {"unit": "b"}}"#, ""), &[line]);
+    assert_short(&report, "farther off than permitted");
+}
+
+#[test]
+fn slack_belongs_to_its_lane() {
+    let more = r#", "slack": [{"lane": "f32", "factor": 1e-3, "of": "value", "why": "a test"}]"#;
+    let report = judged(&mapping("nearly_square", r#"{"x": "x"}"#, more), &SQUARES);
+    let verdicts: Vec<bool> = report.answers.iter().map(|(_, a)| a.falls_short()).collect();
+    assert_eq!(verdicts, [true, false]);
+}
+
+#[test]
+fn a_mapping_that_does_not_fit_says_where() {
+    for (kernel, args, part) in [
+        ("square", r#"{}"#, "feeds `x` of square 0 times"),
+        ("square", r#"{"x": "y"}"#, "it has no `y`"),
+        ("square", r#"{"x": "x", "z": 1}"#, "`z`, which square does not take"),
+        ("cosine", r#"{"a": "x", "b": {"unit": "x"}}"#, "`a` has 3 scalars, 1 are given"),
+        ("missing", r#"{"x": "x"}"#, "there is no kernel `missing`"),
+    ] {
+        assert_short(&judged(&mapping(kernel, args, ""), &SQUARES), part);
+    }
+}
+
+#[test]
+fn rows_that_no_entry_speaks_of_are_counted() {
+    let more = r#"{"fn": "g", "args": {}, "kind": "exact-integral", "variant": "v", "value": 1}"#;
+    let mut lines = SQUARES.to_vec();
+    lines.extend([more, more]);
+    let report = judged(&mapping("square", r#"{"x": "x"}"#, ""), &lines);
+    assert_eq!(report.unmapped.into_iter().collect::<Vec<_>>(), [("g (exact-integral, v)".to_owned(), 2)]);
+}
+
+#[test]
+fn rows_are_passed_over_as_stated_and_none_left_is_no_success() {
+    let more = r#", "skip": [{"tag": "half", "why": "a test"}]"#;
+    let report = judged(&mapping("square", r#"{"x": "x"}"#, more), &SQUARES);
+    assert!(report.answers.iter().all(|(_, a)| a.cases == 2));
+    assert_short(&judged(&mapping("square", r#"{"x": "x"}"#, more), &SQUARES[2..]), "holds no row");
+    let more = r#", "skip": [{"args": {"x": 3}, "why": "a test"}, {"args": {"x": 0}, "tag": "half", "why": "both"}]"#;
+    let report = judged(&mapping("square", r#"{"x": "x"}"#, more), &SQUARES);
+    assert!(report.answers.iter().all(|(_, a)| a.cases == 2));
+    let null = r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": null}"#;
+    assert_short(&judged(&mapping("square", r#"{"x": "x"}"#, ""), &[null]), "no row has a value");
+}
+
+#[test]
+fn a_table_that_cannot_be_used_names_file_line_and_column() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("f.jsonl");
+    std::fs::write(&path, format!("{}\n{{\"fn\": \"f\", oops\n", SQUARES[0])).expect("writable");
+    let message = table::read(&path).expect_err("malformed").to_string();
+    assert!(message.contains("f.jsonl:2:13"), "{message}");
+    std::fs::write(&path, "\n").expect("writable");
+    assert!(table::read(&path).expect_err("empty").to_string().contains("holds no rows"));
+    let nowhere = folder.path().join("nowhere");
+    assert!(table::list(&nowhere).expect_err("missing").to_string().contains("cannot be read"));
+    assert!(table::list(folder.path()).is_ok());
+}
+
+#[test]
+fn a_mapping_of_another_version_is_refused() {
+    let message =
+        Mapping::parse(r#"{"version": 2, "entries": []}"#).expect_err("another version").to_string();
+    assert!(message.contains("version is 2"), "{message}");
+    assert!(Mapping::parse("{").is_err());
+}
