@@ -1,2 +1,64 @@
-//! stub
-fn main() {}
+//! `lobe`: emit, check, evaluate and judge shader kernels.
+//!
+//! One file a subcommand; everything that they do is in the libraries.
+
+mod check;
+mod doctor;
+mod emit;
+mod eval;
+mod fail;
+mod list;
+mod oracle;
+mod output;
+mod route;
+mod select;
+
+use clap::{Parser, Subcommand};
+use fail::{Fail, Outcome};
+use std::process::ExitCode;
+
+/// Spherical-Gaussian lighting as tested shader source.
+///
+/// Exit codes: 0 all holds, 1 something fell short, 2 bad usage or input, 3 a required route or tool is missing.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// List the kernels with signature, source, domain and budget
+    List(list::Args),
+    /// Write kernels as WGSL, SPIR-V or HLSL
+    Emit(emit::Args),
+    /// Run a kernel on rows of arguments
+    Eval(eval::Args),
+    /// Ask kernels the four questions: correct, robust, conformant, agree
+    Check(check::Args),
+    /// Judge kernels by a folder of tables of high-precision values
+    Oracle(oracle::Args),
+    /// Say which routes and tools this machine has, and how to get the others
+    Doctor(doctor::Args),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match lobe_codegen::quietly(|| run(&cli.command)) {
+        Ok(Ok(outcome)) => outcome.into(),
+        Ok(Err(fail)) => fail.report(),
+        Err(message) => Fail::Defect(message).report(),
+    }
+}
+
+fn run(command: &Command) -> Result<Outcome, Fail> {
+    match command {
+        Command::List(args) => list::run(args),
+        Command::Emit(args) => emit::run(args),
+        Command::Eval(args) => eval::run(args),
+        Command::Check(args) => check::run(args),
+        Command::Oracle(args) => oracle::run(args),
+        Command::Doctor(args) => doctor::run(args),
+    }
+}

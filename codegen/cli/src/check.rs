@@ -1,0 +1,64 @@
+//! `lobe check`: the four questions.
+
+use crate::fail::{Fail, Outcome};
+use crate::output::{self, Format};
+use crate::route::{self, RouteArgs};
+use crate::select;
+use lobe_tests::cases::Cases;
+use lobe_tests::judge::{Plan, judge};
+use lobe_tests::oracle::Mapping;
+use lobe_tests::report::{Report, human, json, junit};
+
+/// Options.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Kernels to check; all when none is named
+    kernels: Vec<String>,
+    /// Rows of arguments to draw for each kernel
+    #[arg(long, default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    inputs: u64,
+    /// Where the drawing begins; the same seed draws the same rows
+    #[arg(long, default_value_t = 7)]
+    seed: u64,
+    #[command(flatten)]
+    routes: RouteArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    let kernels = select::kernels(&args.kernels)?;
+    let mut opened = route::open(&args.routes)?;
+    let plan = Plan {
+        inputs: args.inputs as usize,
+        seed: args.seed,
+        cases: Cases::standard(),
+        mapping: Mapping::standard()?,
+    };
+    let mut report = Report::new("check", args.seed);
+    report.routes = opened.names();
+    let bar = output::progress(kernels.len() * plan.inputs);
+    for kernel in kernels {
+        bar.set_message(kernel().name);
+        let found = judge(kernel, &plan, &mut opened.executors, &|rows| bar.inc(rows as u64));
+        if args.format == Format::Human {
+            bar.suspend(|| output::print(&human::render_kernel(&found, output::style())))?;
+        }
+        report.kernels.push(found);
+    }
+    bar.finish_and_clear();
+    report.skipped = opened.skipped;
+    finish(&report, args.format)
+}
+
+/// Prints what is not printed yet, and ends the run.
+pub(crate) fn finish(report: &Report, format: Format) -> Result<Outcome, Fail> {
+    output::print(&match format {
+        Format::Human => human::summary(report, output::style()),
+        Format::Json => json::render(report),
+        Format::Junit => junit::render(report),
+    })?;
+    Ok(if report.holds() { Outcome::Holds } else { Outcome::FellShort })
+}

@@ -1,0 +1,89 @@
+//! How a run ends.
+
+use lobe_backends::executor::ExecError;
+use lobe_backends::routes::OpenError;
+use lobe_codegen::emit::EmitError;
+use lobe_codegen::lower::LowerError;
+use lobe_tests::oracle::{MappingError, TableError};
+use lobe_tests::value::RowError;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// A run that came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// All holds.
+    Holds,
+    /// Something fell short, as the report says.
+    FellShort,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Holds => Self::SUCCESS,
+            Outcome::FellShort => Self::from(1),
+        }
+    }
+}
+
+/// A run that could not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Fail {
+    #[error("there is no kernel `{name}`{}; `lobe list` names all {count}", suggestion.as_ref().map(|s| format!(", did you mean `{s}`?")).unwrap_or_default())]
+    UnknownKernel { name: String, suggestion: Option<String>, count: usize },
+    #[error("{0}")]
+    Usage(String),
+    #[error("{name}: {cause}")]
+    Row { name: String, cause: RowError },
+    #[error("{}: cannot be read: {cause}", path.display())]
+    Read { path: PathBuf, cause: std::io::Error },
+    #[error("{}: cannot be written: {cause}", path.display())]
+    Write { path: PathBuf, cause: std::io::Error },
+    #[error("standard output cannot be written: {0}")]
+    Stdout(std::io::Error),
+    #[error(transparent)]
+    Table(#[from] TableError),
+    #[error(transparent)]
+    Open(#[from] OpenError),
+    #[error(transparent)]
+    Exec(#[from] ExecError),
+    #[error(transparent)]
+    Lower(#[from] LowerError),
+    #[error(transparent)]
+    Emit(#[from] EmitError),
+    #[error(transparent)]
+    Mapping(#[from] MappingError),
+    #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
+    Defect(String),
+}
+
+impl Fail {
+    /// Prints the message and gives the exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        // A reader that went away (`lobe list | head -1`) is not worth a message.
+        if !self.is_closed_pipe() {
+            eprintln!("lobe: {self}");
+        }
+        ExitCode::from(self.code())
+    }
+
+    fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Stdout(cause) if cause.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+
+    fn code(&self) -> u8 {
+        match self {
+            Self::Stdout(_) if self.is_closed_pipe() => 0,
+            Self::UnknownKernel { .. }
+            | Self::Usage(_)
+            | Self::Row { .. }
+            | Self::Read { .. }
+            | Self::Write { .. }
+            | Self::Stdout(_)
+            | Self::Table(_) => 2,
+            Self::Open(_) => 3,
+            Self::Exec(_) | Self::Lower(_) | Self::Emit(_) | Self::Mapping(_) | Self::Defect(_) => 1,
+        }
+    }
+}

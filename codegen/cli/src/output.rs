@@ -1,0 +1,79 @@
+//! Standard output, colours, progress, files.
+
+use crate::fail::Fail;
+use indicatif::{ProgressBar, ProgressStyle};
+use lobe_tests::report::human::Style;
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+
+/// Form of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Format {
+    /// Text for people
+    Human,
+    /// JSON with a versioned schema
+    Json,
+    /// JUnit XML
+    Junit,
+}
+
+/// Form of a listing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum ListFormat {
+    /// Text for people
+    Human,
+    /// JSON with a versioned schema
+    Json,
+}
+
+/// Writes `text` to standard output.
+pub(crate) fn print(text: &str) -> Result<(), Fail> {
+    write_bytes(text.as_bytes())
+}
+
+/// Writes `bytes` to standard output.
+pub(crate) fn write_bytes(bytes: &[u8]) -> Result<(), Fail> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(Fail::Stdout)
+}
+
+/// Colours on a terminal, unless `NO_COLOR` is set.
+pub(crate) fn style() -> Style {
+    let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    Style { colour: !refused && std::io::stdout().is_terminal() }
+}
+
+/// A progress bar on a terminal, nothing elsewhere.
+pub(crate) fn progress(rows: usize) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(rows as u64);
+    match ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rows  {msg}  {eta}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+/// Writes a file whole or not at all.
+pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Fail> {
+    let fail = |cause| Fail::Write { path: path.to_owned(), cause };
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
+    file.write_all(bytes).map_err(fail)?;
+    set_plain_mode(&file).map_err(fail)?;
+    file.persist(path).map_err(|e| fail(e.error))?;
+    Ok(())
+}
+
+/// Temporary files are private; what we write is for others to read.
+#[cfg(unix)]
+fn set_plain_mode(file: &tempfile::NamedTempFile) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn set_plain_mode(_: &tempfile::NamedTempFile) -> std::io::Result<()> {
+    Ok(())
+}

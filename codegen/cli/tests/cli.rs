@@ -1,0 +1,287 @@
+//! The binary as its users meet it: exit codes, messages, files.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+fn command(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lobe"));
+    command.args(args).stdin(Stdio::null());
+    command
+}
+
+fn lobe(args: &[&str]) -> Output {
+    command(args).output().expect("the binary runs")
+}
+
+fn lobe_with_input(args: &[&str], input: &str) -> Output {
+    let mut command = command(args);
+    let mut child = command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary runs");
+    // A child that ends before it reads is judged by its output.
+    let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    child.wait_with_output().expect("it ends")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[track_caller]
+fn assert_fails(output: &Output, code: i32, parts: &[&str]) {
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{message}{}", text(&output.stdout));
+    for part in parts {
+        assert!(message.contains(part), "no `{part}` in: {message}");
+    }
+    assert!(!message.contains("panicked"), "{message}");
+}
+
+#[track_caller]
+fn assert_holds(output: &Output) -> String {
+    assert_eq!(output.status.code(), Some(0), "{}{}", text(&output.stderr), text(&output.stdout));
+    text(&output.stdout)
+}
+
+#[test]
+fn an_unknown_kernel_is_answered_with_the_nearest() {
+    for args in [&["check", "sg_evl"][..], &["emit", "sg_evl", "--target", "wgsl"], &["list", "sg_evl"]] {
+        assert_fails(&lobe(args), 2, &["no kernel `sg_evl`", "did you mean `sg_eval`?", "lobe list"]);
+    }
+    let output = lobe(&["eval", "zzzz", "--args", "-"]);
+    assert_fails(&output, 2, &["no kernel `zzzz`; "]);
+}
+
+#[test]
+fn malformed_rows_are_named_by_line_and_column() {
+    let eval = |input| lobe_with_input(&["eval", "erf", "--args", "-"], input);
+    assert_fails(&eval("{\"x\": 1}\n\n{\"x\": }\n"), 2, &["standard input: line 3, column 7", "no JSON"]);
+    assert_fails(&eval("{\"x\": \"one\"}"), 2, &["line 1, column 2", "`x` is a number", "not \"one\""]);
+    assert_fails(&eval("{}"), 2, &["line 1, column 1", "lack `x` (f32)"]);
+    assert_fails(&eval("[1]"), 2, &["an object with the members x, not an array"]);
+    assert_fails(&eval("{\"x\": 1, \"y\": 2}"), 2, &["line 1, column 10", "`y` is none of erf's arguments"]);
+    assert_fails(&eval(""), 2, &["no row of arguments"]);
+}
+
+#[test]
+fn a_value_of_the_wrong_shape_is_named_by_its_path() {
+    let row = r#"{"dir": [1, 0, 0], "sg": {"axis": [1, 0], "sharpness": 1, "log_amplitude": 0}}"#;
+    let output = lobe_with_input(&["eval", "sg_eval", "--args", "-"], row);
+    assert_fails(&output, 2, &["`sg.axis` (Vec3) has 3 elements, 2 are given"]);
+}
+
+#[test]
+fn floats_travel_as_numbers_hexadecimals_and_words() {
+    let input = "{\"x\": 0.5}\n{\"x\": \"0x1p-1\"}\n{\"x\": \"-inf\"}\n{\"x\": \"nan\"}\n";
+    let lines = assert_holds(&lobe_with_input(&["eval", "erf", "--args", "-"], input));
+    let lines: Vec<&str> = lines.lines().collect();
+    assert_eq!(lines.len(), 4);
+    assert_eq!(lines[0], lines[1]);
+    assert_eq!(lines[2], "-1.0");
+    let hex = assert_holds(&lobe_with_input(&["eval", "erf", "--args", "-", "--hex"], "{\"x\": 4}"));
+    assert_eq!(hex, "\"0x1p0\"\n");
+}
+
+#[test]
+fn routes_give_the_same_bits_and_the_shadow_its_bound() {
+    let row = "{\"x\": \"0x1.8p-3\"}";
+    let native = assert_holds(&lobe_with_input(&["eval", "erf", "--args", "-", "--hex"], row));
+    let interp =
+        assert_holds(&lobe_with_input(&["eval", "erf", "--args", "-", "--hex", "--route", "interp"], row));
+    assert_eq!(native, interp);
+    let shadow = assert_holds(&lobe_with_input(&["eval", "erf", "--args", "-", "--shadow"], row));
+    let shadow: serde_json::Value = serde_json::from_str(&shadow).expect("JSON");
+    let part = |name: &str| shadow["result"][name].as_f64().unwrap_or_else(|| panic!("{shadow}"));
+    assert!((part("value") - part("exact")).abs() <= part("bound"), "{shadow}");
+}
+
+#[test]
+fn a_file_that_is_not_there_and_a_folder_that_cannot_be_made_are_named() {
+    assert_fails(&lobe(&["eval", "erf", "--args", "no-such.jsonl"]), 2, &["no-such.jsonl: cannot be read"]);
+    assert_fails(&lobe(&["oracle", "no-such-folder"]), 2, &["no-such-folder: cannot be read"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("file");
+    std::fs::write(&file, "in the way").expect("writable");
+    let below = file.join("out");
+    let output = lobe(&["emit", "erf", "--target", "wgsl", "--out", &below.display().to_string()]);
+    assert_fails(&output, 2, &["cannot be written", "file"]);
+}
+
+#[test]
+fn a_failed_write_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // A folder stands where the file should go.
+    std::fs::create_dir(folder.path().join("erf.wgsl")).expect("writable");
+    let output = lobe(&["emit", "erf", "--target", "wgsl", "--out", &folder.path().display().to_string()]);
+    assert_fails(&output, 2, &["erf.wgsl: cannot be written"]);
+    assert_eq!(names(folder.path()), ["erf.wgsl"]);
+}
+
+#[test]
+fn emitting_twice_gives_the_same_files_and_says_which() {
+    let folders = [tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder")];
+    for folder in &folders {
+        let out = folder.path().join("made").display().to_string();
+        let said =
+            assert_holds(&lobe(&["emit", "--all", "--target", "wgsl", "--target", "hlsl", "--out", &out]));
+        assert!(said.lines().all(|line| line.contains("bytes")), "{said}");
+        assert!(said.contains("sg_eval.hlsl"), "{said}");
+    }
+    let [first, second] = folders.map(|f| f.keep().join("made"));
+    assert!(names(&first).len() > 20);
+    for name in names(&first) {
+        let read = |folder: &Path| std::fs::read(folder.join(&name)).expect("readable");
+        assert_eq!(read(&first), read(&second), "{name}");
+    }
+    for folder in [first, second] {
+        std::fs::remove_dir_all(folder.parent().expect("the folder")).expect("removable");
+    }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("readable");
+    let mut names: Vec<String> =
+        entries.map(|e| e.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn one_kernel_goes_to_standard_output_and_two_do_not() {
+    let wgsl = assert_holds(&lobe(&["emit", "erf", "--target", "wgsl", "--out", "-"]));
+    assert!(wgsl.contains("fn erf(x: f32) -> f32"), "{wgsl}");
+    let entry = assert_holds(&lobe(&["emit", "erf", "--target", "hlsl", "--form", "entry", "--out", "-"]));
+    assert!(entry.contains("numthreads"), "{entry}");
+    let one = assert_holds(&lobe(&["emit", "--all", "--target", "wgsl", "--one-file", "--out", "-"]));
+    assert!(one.contains("fn erf(") && one.contains("fn sg_eval("), "{one}");
+    assert_fails(
+        &lobe(&["emit", "--all", "--target", "wgsl", "--out", "-"]),
+        2,
+        &["one kernel and one target"],
+    );
+    assert_fails(&lobe(&["emit", "erf", "--target", "spirv", "--out", "-"]), 2, &["--form entry"]);
+    assert_fails(&lobe(&["emit", "erf", "--target", "metal"]), 2, &["metal"]);
+    assert_fails(&lobe(&["emit", "--target", "wgsl"]), 2, &["--all"]);
+}
+
+#[test]
+fn routes_that_are_none_or_missing_differ_in_their_exit_code() {
+    assert_fails(&lobe(&["check", "erf", "--route", "metal@x"]), 2, &["`metal` is no target"]);
+    let missing =
+        ["check", "erf", "--inputs", "10", "--route", "native", "--require", "spirv@no-such-driver"];
+    assert_fails(&lobe(&missing), 3, &["no Vulkan driver `no-such-driver`", "lobe doctor"]);
+    assert_fails(&lobe(&["eval", "erf", "--args", "-", "--route", "spirv@nix"]), 2, &["no row of arguments"]);
+    let row = "{\"x\": 1}";
+    let output = lobe_with_input(&["eval", "erf", "--args", "-", "--route", "spirv@nix"], row);
+    assert_fails(&output, 3, &["no Vulkan driver `nix`"]);
+}
+
+#[test]
+fn a_corrupt_dxc_is_a_missing_route_that_says_why() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("libdxcompiler.so");
+    std::fs::write(&path, "no library").expect("writable");
+    let output = command(&["doctor"]).env("LOBE_DXC", &path).output().expect("the binary runs");
+    let said = assert_holds(&output);
+    assert!(said.contains("libdxcompiler.so cannot be used"), "{said}");
+    let mut check = command(&["check", "erf", "--inputs", "10", "--require", "hlsl+dxc@lavapipe"]);
+    let output = check.env("LOBE_DXC", &path).output().expect("the binary runs");
+    assert_fails(&output, 3, &["hlsl+dxc@lavapipe is missing"]);
+}
+
+#[test]
+fn listing_is_complete_and_touches_no_driver() {
+    // A loader that is pointed at nonsense would complain if it were asked.
+    let output = command(&["list", "--format", "json"]).env("VK_DRIVER_FILES", "/nonsense").output();
+    let listed: serde_json::Value =
+        serde_json::from_str(&assert_holds(&output.expect("the binary runs"))).expect("JSON");
+    let kernels = listed["kernels"].as_array().expect("kernels");
+    assert_eq!(kernels.len(), lobe_kernels::registry::KERNELS.len());
+    let sg_eval = kernels.iter().find(|k| k["name"] == "sg_eval").expect("sg_eval");
+    assert_eq!(sg_eval["signature"], "sg_eval(dir: Vec3, sg: Sg) -> f32");
+    assert!(sg_eval["domain"].as_array().expect("domains").len() >= 4, "{sg_eval}");
+}
+
+const STRICT: [&str; 4] = ["--route", "native", "--route", "interp"];
+
+#[test]
+fn a_kernel_that_holds_gives_zero_and_all_formats() {
+    let check = |format: &str| {
+        let args = [&["check", "sg_integral", "--inputs", "200", "--format", format], &STRICT[..]].concat();
+        assert_holds(&lobe(&args))
+    };
+    let human = check("human");
+    assert!(human.contains("conformant interp") && human.contains("all holds"), "{human}");
+    assert!(!human.contains('\u{1b}'), "no colours outside a terminal");
+    let json: serde_json::Value = serde_json::from_str(&check("json")).expect("JSON");
+    assert_eq!(json["schema"], 1);
+    assert_eq!(json["tally"]["fall_short"], 0);
+    assert_eq!(json["kernels"][0]["name"], "sg_integral");
+    assert!(check("junit").contains("<testsuite name=\"sg_integral\""));
+}
+
+#[test]
+fn the_same_seed_gives_the_same_report() {
+    let check = |seed: &str| {
+        let args = [&["check", "sg_eval", "--inputs", "300", "--seed", seed], &STRICT[..]].concat();
+        text(&lobe(&args).stdout)
+    };
+    assert_eq!(check("1"), check("1"));
+    assert_ne!(check("1"), check("2"));
+}
+
+#[test]
+fn a_missing_table_is_a_failure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let args = [&["check", "sg_integral", "--inputs", "100"], &STRICT[..]].concat();
+    let output = command(&args).env("LOBE_CASES", folder.path()).output().expect("the binary runs");
+    assert_eq!(output.status.code(), Some(1));
+    let said = text(&output.stdout);
+    assert!(said.contains("sg_integral.jsonl: cannot be read"), "{said}");
+}
+
+#[test]
+fn a_listed_case_that_is_malformed_is_a_failure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("sg_integral.jsonl"), "{\"sharpness\": 1}\n{}\n").expect("writable");
+    let args = [&["check", "sg_integral", "--inputs", "100"], &STRICT[..]].concat();
+    let output = command(&args).env("LOBE_CASES", folder.path()).output().expect("the binary runs");
+    assert_eq!(output.status.code(), Some(1));
+    let said = text(&output.stdout);
+    assert!(said.contains("sg_integral.jsonl: line 2, column 1"), "{said}");
+}
+
+#[test]
+fn a_table_with_a_wrong_value_falls_short() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let row = r#"{"fn": "erf", "args": {"x": 1}, "kind": "formula-f64", "value": 0.8428, "df32": 2.5e-8}"#;
+    let other = r#"{"fn": "gamma", "args": {"x": 1}, "kind": "formula-f64", "value": 1}"#;
+    std::fs::write(folder.path().join("erf.jsonl"), format!("{row}\n{other}\n")).expect("writable");
+    let output = lobe(&[&["oracle", &folder.path().display().to_string()], &STRICT[..]].concat());
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    assert!(said.contains("1 of 1 rows are farther off"), "{said}");
+    assert!(said.contains("1 rows of gamma (formula-f64): no kernel is mapped"), "{said}");
+    let only_unmapped = tempfile::tempdir().expect("a folder");
+    std::fs::write(only_unmapped.path().join("gamma.jsonl"), other).expect("writable");
+    let output = lobe(&[&["oracle", &only_unmapped.path().display().to_string()], &STRICT[..]].concat());
+    assert_eq!(output.status.code(), Some(1), "nothing judged is no success");
+}
+
+#[test]
+fn a_worst_row_replays_as_printed() {
+    let args =
+        [&["check", "expm1_over_x_higham", "--inputs", "500", "--format", "json"], &STRICT[..]].concat();
+    let json: serde_json::Value = serde_json::from_str(&text(&lobe(&args).stdout)).expect("JSON");
+    let answers = json["kernels"][0]["answers"].as_array().expect("answers");
+    let native = answers.iter().find(|a| a["subject"] == "native").expect("native");
+    let row = native["worst"]["args"].to_string();
+    let value = assert_holds(&lobe_with_input(&["eval", "expm1_over_x_higham", "--args", "-"], &row));
+    let value: f64 = value.trim().parse().expect("a number");
+    let found = native["worst"]["found"].as_f64().expect("a number");
+    assert!((value - found).abs() <= 1e-7 * found.abs(), "{value} {found}");
+}
