@@ -7,4 +7,5 @@
 //! what they prove, they prove about the emission too.
 
 pub mod gpu;
+pub mod interp;
 pub mod translate;
