@@ -98,7 +98,7 @@ pub fn sg_integral(sharpness: f32) -> f32 {
     budget(
         axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
         sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
-        log_amplitude = 2e-6 * abs(a.log_amplitude + b.log_amplitude) + 2e-6 * min(a.sharpness, b.sharpness) * min(1.0, dot(a.axis - b.axis, a.axis - b.axis)) * 2.0 + 2e-6
+        log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     )
 )]
 pub fn sg_product(a: Sg, b: Sg) -> Sg {
@@ -131,7 +131,7 @@ pub fn sg_product(a: Sg, b: Sg) -> Sg {
     budget(
         axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
         sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
-        log_amplitude = 2e-6 * abs(a.log_amplitude + b.log_amplitude) + 2e-6 * min(a.sharpness, b.sharpness) * min(1.0, dot(a.axis - b.axis, a.axis - b.axis)) * 2.0 + 2e-6
+        log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     ),
     variant_of = sg_product,
     not_robust = "cosine - 1 cancels for near-parallel axes and the sharpness multiplies its error; 0/0 for two constant lobes"
@@ -168,7 +168,7 @@ pub fn sg_product_paper(a: Sg, b: Sg) -> Sg {
 #[kernel(
     family = "sg",
     cite = "[Wang09] section 3",
-    budget((4e-6 + 3e-6 * abs(sg_product(a, b).log_amplitude) + 1.5e-6 * abs(a.log_amplitude) + 1.5e-6 * abs(b.log_amplitude)) * result + 1e-35)
+    budget((4e-6 + 4e-6 * abs(sg_product(a, b).log_amplitude - a.log_amplitude - b.log_amplitude) + 1e-6 * (abs(a.log_amplitude) + abs(b.log_amplitude))) * result + 1e-35)
 )]
 pub fn sg_sg_product_integral(a: Sg, b: Sg) -> f32 {
     let product = sg_product(a, b);
