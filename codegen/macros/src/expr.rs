@@ -112,12 +112,15 @@ impl Translator<'_> {
     }
 
     fn float(&mut self, lit: &Lit, digits: &str) -> TokenStream {
-        let value: f64 = digits.parse().unwrap_or(f64::NAN);
-        if !(value as f32).is_finite() {
+        // Rounded from the decimals at once: by way of f64 the last bit may differ.
+        let (value, exact) = (digits.parse::<f32>(), digits.parse::<f64>());
+        let (value, exact) = (value.unwrap_or(f32::NAN), exact.unwrap_or(f64::NAN));
+        if !value.is_finite() {
             self.errors
                 .at(lit, "this literal is no finite `f32`: shading languages have no literal for infinity");
+            return nothing();
         }
-        quote!(::lobe_codegen::def::ExprKind::Float(#value))
+        quote!(::lobe_codegen::def::ExprKind::Float(#value, #exact))
     }
 
     fn path(&mut self, e: &ExprPath) -> TokenStream {
@@ -128,9 +131,18 @@ impl Translator<'_> {
         if let Some(local) = e.path.get_ident().and_then(|name| self.scope.find(name)) {
             return quote!(::lobe_codegen::def::ExprKind::Local(#local));
         }
+        if let Some(name) = standard_constant(&e.path) {
+            let path = &e.path;
+            return quote!(::lobe_codegen::def::ExprKind::Float(#path, ::core::f64::consts::#name));
+        }
         if let Some((ty, name)) = associated(&e.path) {
-            let ty = types::type_def(&ty, self.errors);
             let name = name.to_string();
+            if let Some(instead) = method::associated_constant(&types::last_name(&ty), &name) {
+                let what = format!("`{}`", types::text(e));
+                self.errors.refuse(e, &what, &instead);
+                return nothing();
+            }
+            let ty = types::type_def(&ty, self.errors);
             return quote!(::lobe_codegen::def::ExprKind::TypeConstant(#ty, #name));
         }
         let path = &e.path;
@@ -184,16 +196,27 @@ impl Translator<'_> {
                 return nothing();
             }
         }
-        if let Some(last) = function.path.segments.last()
-            && !last.arguments.is_none()
-        {
-            self.errors.refuse(&e.func, "a generic call", "leave the type arguments out");
+        if let Some(last) = function.path.segments.last() {
+            if !last.arguments.is_none() {
+                self.errors.refuse(&e.func, "a generic call", "leave the type arguments out");
+                return nothing();
+            }
+            if function.path.segments.len() == 1 && last.ident.to_string().starts_with(char::is_uppercase) {
+                let instead = "build structures as `Name { field: value }`; kernels have no enumerations";
+                self.errors.refuse(&e.func, "a tuple structure or variant", instead);
+                return nothing();
+            }
         }
         let arguments: Vec<_> = e.args.iter().map(|a| self.argument(a)).collect();
         let arguments = quote!(&[#(#arguments),*]);
         if let Some((ty, name)) = associated(&function.path) {
-            let ty = types::type_def(&ty, self.errors);
             let name = name.to_string();
+            if let Some(instead) = method::associated_function(&types::last_name(&ty), &name) {
+                let what = format!("`{}(..)`", types::text(function));
+                self.errors.refuse(function, &what, &instead);
+                return nothing();
+            }
+            let ty = types::type_def(&ty, self.errors);
             return quote!(::lobe_codegen::def::ExprKind::TypeCall(#ty, #name, #arguments));
         }
         let path = &function.path;
@@ -286,8 +309,9 @@ impl Translator<'_> {
         let selector = self.expr(&e.expr);
         let mut arms = Vec::new();
         for arm in &e.arms {
-            let mut values = Vec::new();
-            self.pattern(&arm.pat, &mut values);
+            let mut patterns = Patterns::default();
+            self.pattern(&arm.pat, &mut patterns);
+            let values = if patterns.any { Vec::new() } else { patterns.values };
             let body = self.branch(&arm.body);
             let span = source::span(&arm.pat);
             arms.push(
@@ -297,25 +321,29 @@ impl Translator<'_> {
         quote!(::lobe_codegen::def::ExprKind::Match { selector: &#selector, arms: &[#(#arms),*] })
     }
 
-    fn pattern(&mut self, pattern: &syn::Pat, values: &mut Vec<TokenStream>) {
+    fn pattern(&mut self, pattern: &syn::Pat, found: &mut Patterns) {
         match pattern {
-            syn::Pat::Wild(_) => {}
-            syn::Pat::Or(or) => or.cases.iter().for_each(|case| self.pattern(case, values)),
-            syn::Pat::Lit(literal) if is_integer(&literal.lit) => {
-                values.push(quote!((#pattern) as i64));
-            }
-            other => {
-                let text = other.to_token_stream().to_string();
-                match text.parse::<i64>().ok().or_else(|| text.replace(' ', "").parse().ok()) {
-                    Some(value) => values.push(quote!(#value)),
-                    None => self.errors.refuse(
-                        other,
-                        "this pattern",
-                        "match an integer with literals, `|` and `_`; put other tests into `if`",
-                    ),
-                }
-            }
+            syn::Pat::Wild(_) => found.any = true,
+            syn::Pat::Or(or) => or.cases.iter().for_each(|case| self.pattern(case, found)),
+            syn::Pat::Paren(inner) => self.pattern(&inner.pat, found),
+            other => match integer(other) {
+                Some(value) => found.values.push(quote!(#value)),
+                None => self.refused_pattern(other),
+            },
         }
+    }
+
+    fn refused_pattern(&mut self, pattern: &syn::Pat) {
+        let (what, instead) = match pattern {
+            syn::Pat::Guard(_) => ("a guard", "put the test into an `if` inside the arm"),
+            syn::Pat::Range(_) => ("a range pattern", "list the values with `|`, or use `if`"),
+            syn::Pat::Ident(_) | syn::Pat::Path(_) => {
+                ("a name as a pattern", "match literals, `|` and `_`; compare with names by `if`")
+            }
+            syn::Pat::Lit(_) => ("a pattern that is no integer", "compare with `if`"),
+            _ => ("this pattern", "match an integer with literals, `|` and `_`"),
+        };
+        self.errors.refuse(pattern, what, instead);
     }
 
     fn refused(&mut self, e: &Expr) -> TokenStream {
@@ -329,6 +357,7 @@ impl Translator<'_> {
             Expr::Unsafe(_) => ("`unsafe`", "leave it out; kernels have no unsafe operation"),
             Expr::Async(_) | Expr::Await(_) => ("asynchronous code", "a kernel runs from begin to end"),
             Expr::Let(_) => ("`let` in a condition", "compare with `==`"),
+            Expr::Block(_) => ("a labelled block", "move it to a function and return from that"),
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
                 ("a loop as a value", "assign to a `let mut` inside the loop")
             }
@@ -347,8 +376,35 @@ fn nothing() -> TokenStream {
     quote!(::lobe_codegen::def::ExprKind::Bool(false))
 }
 
-fn is_integer(lit: &Lit) -> bool {
-    matches!(lit, Lit::Int(_))
+/// What one arm of a `match` stands for.
+#[derive(Default)]
+struct Patterns {
+    values: Vec<TokenStream>,
+    /// `_` is among them.
+    any: bool,
+}
+
+/// An integer literal, possibly negated.
+fn integer(pattern: &syn::Pat) -> Option<i64> {
+    match syn::parse2(pattern.to_token_stream()).ok()? {
+        Expr::Lit(syn::ExprLit { lit: Lit::Int(value), .. }) => value.base10_parse().ok(),
+        Expr::Unary(syn::ExprUnary { op: UnOp::Neg(_), expr, .. }) => match *expr {
+            Expr::Lit(syn::ExprLit { lit: Lit::Int(value), .. }) => {
+                value.base10_parse::<i64>().ok().map(|v| -v)
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// `PI` of `std::f32::consts::PI`.
+fn standard_constant(path: &syn::Path) -> Option<Ident> {
+    let names: Vec<&Ident> = path.segments.iter().map(|s| &s.ident).collect();
+    match names[..] {
+        [.., float, consts, name] if *float == "f32" && *consts == "consts" => Some(name.clone()),
+        _ => None,
+    }
 }
 
 /// `Type::name`: the type and the name, for a path whose last but one segment is a type by its case.

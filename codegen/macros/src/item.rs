@@ -2,7 +2,7 @@
 
 use crate::errors::Errors;
 use crate::{attribute, constant, function, structure};
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use syn::Item;
 
@@ -18,6 +18,7 @@ pub(crate) fn expand(attribute: TokenStream, tokens: TokenStream) -> TokenStream
             return quote!(#tokens #errors);
         }
     };
+    refuse_cfg(tokens, &mut errors);
     let (native, definition) = match item {
         Item::Fn(item) => function::expand(item, contract, &mut errors),
         Item::Struct(item) => structure::expand(item, &mut errors),
@@ -41,5 +42,26 @@ pub(crate) fn expand(attribute: TokenStream, tokens: TokenStream) -> TokenStream
     } else {
         let errors = errors.into_tokens();
         quote!(#native #errors)
+    }
+}
+
+/// rustc has not looked at `#[cfg]` inside the item yet: it would drop code from the Rust form only.
+fn refuse_cfg(tokens: TokenStream, errors: &mut Errors) {
+    let mut after_hash = false;
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => {
+                let first = group.stream().into_iter().next();
+                let is_cfg = matches!(&first, Some(TokenTree::Ident(i)) if *i == "cfg" || *i == "cfg_attr");
+                if after_hash && is_cfg {
+                    let instead = "write two items, each with its `#[cfg]` above `#[kernel]`";
+                    errors.refuse(&group.stream(), "`#[cfg]` below `#[kernel]`", instead);
+                }
+                refuse_cfg(group.stream(), errors);
+                after_hash = false;
+            }
+            TokenTree::Punct(punct) => after_hash = punct.as_char() == '#',
+            TokenTree::Ident(_) | TokenTree::Literal(_) => after_hash = false,
+        }
     }
 }

@@ -18,6 +18,7 @@ mod function;
 mod item;
 mod method;
 mod names;
+mod parameter;
 mod scope;
 mod source;
 mod stmt;

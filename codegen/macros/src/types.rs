@@ -69,3 +69,16 @@ fn check_path(ty: &TypePath, errors: &mut Errors) {
     };
     errors.refuse(ty, &format!("`{name}`"), instead);
 }
+
+/// The last name of a type's path.
+pub(crate) fn last_name(ty: &Type) -> String {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+/// Tokens as a user would write a path.
+pub(crate) fn text(tokens: &dyn quote::ToTokens) -> String {
+    tokens.to_token_stream().to_string().replace(' ', "")
+}
