@@ -33,6 +33,13 @@ pub enum ScopeError {
 }
 
 impl ScopeError {
+    /// Name of the function that breaks the rule.
+    pub fn function(&self) -> &str {
+        match self {
+            Self::Undominated { function, .. } | Self::MissingReturn { function } => function,
+        }
+    }
+
     /// Where the fault lies.
     pub fn span(&self) -> Span {
         match self {

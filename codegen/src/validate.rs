@@ -44,6 +44,20 @@ fn chain(error: &dyn std::error::Error) -> String {
 }
 
 impl ValidateError {
+    /// The function or entry point that is at fault, if one is.
+    pub(crate) fn function(&self) -> Option<&str> {
+        match self {
+            Self::Invalid(error) => match error.as_inner() {
+                ValidationError::Function { name, .. } | ValidationError::EntryPoint { name, .. } => {
+                    Some(name)
+                }
+                _ => None,
+            },
+            Self::Scope(error) => Some(error.function()),
+            Self::Parse(_) | Self::Panicked { .. } => None,
+        }
+    }
+
     /// Where in the source the error lies, outermost first, with a label each.
     pub(crate) fn spans(&self) -> Vec<(naga::Span, String)> {
         match self {

@@ -15,10 +15,13 @@ mod body;
 mod call;
 mod error;
 mod expr;
+mod fold;
+mod hint;
 mod layout;
 mod method;
 mod module;
 mod operator;
+mod source;
 mod stmt;
 mod value;
 

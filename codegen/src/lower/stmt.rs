@@ -41,6 +41,13 @@ impl BodyBuilder<'_> {
                 self.push(Statement::Return { value: None }, stmt.span);
                 Ok(())
             }
+            StmtKind::Return(Some(value)) if self.def.ret.is_none() => {
+                self.expr_into(value, &mut Sink::Discard)?;
+                if !self.ended() {
+                    self.push(Statement::Return { value: None }, stmt.span);
+                }
+                Ok(())
+            }
             StmtKind::Return(Some(value)) => self.expr_into(value, &mut Sink::Return),
         }
     }
@@ -61,7 +68,8 @@ impl BodyBuilder<'_> {
         };
         if branches(init) {
             let name = Some(self.def.locals[local as usize].name);
-            let mut sink = Sink::Variable { name, expected: ty.copied(), place: None };
+            let expected = ty.copied().or_else(|| self.peek(init));
+            let mut sink = Sink::Variable { name, expected, place: None };
             self.expr_into(init, &mut sink)?;
             if let Sink::Variable { place: Some(place), .. } = sink {
                 self.locals[local as usize] = Local::Memory(place);
@@ -71,9 +79,8 @@ impl BodyBuilder<'_> {
         let mut value = self.expr_expecting(init, ty)?;
         if let Some(ty) = ty {
             value = self.fit(value, ty, init.span)?;
-        } else if value.is_undecided() {
-            value = value.decide(&I32);
         }
+        // An integer without suffix stays undecided: each use of the name decides as Rust does.
         self.bind(local, value, span);
         Ok(())
     }
@@ -90,29 +97,37 @@ impl BodyBuilder<'_> {
         {
             return self.first_assignment(*local, value, span);
         }
-        let target = self
-            .place(place)?
-            .ok_or_else(|| Fail::new(place.span, "this is no variable, so it cannot change"))?;
-        let value = match op {
-            None => {
-                let value = self.expr_expecting(value, Some(&target.ty))?;
-                self.fit(value, &target.ty, span)?
-            }
+        let unchangeable = || Fail::new(place.span, "this is no variable, so it cannot change");
+        let ty = self.place_type(place)?.ok_or_else(unchangeable)?;
+        // Rust evaluates the right side first, except before a compound assignment to a value that is
+        // no primitive.
+        let place_first = op.is_some() && !matches!(ty, TypeDef::Scalar(_));
+        let early = if place_first { self.place(place)? } else { None };
+        let right = self.expr_expecting(value, Some(&ty))?;
+        let target = match early {
+            Some(target) => target,
+            None => self.place(place)?.ok_or_else(unchangeable)?,
+        };
+        let result = match op {
+            None => right,
             Some(op) => {
                 let old = self.load(target, place.span);
-                let right = self.expr_expecting(value, Some(&target.ty))?;
-                let value = self.binary(op, old, right, span)?;
-                self.fit(value, &target.ty, span)?
+                self.binary(op, old, right, span)?
             }
         };
-        self.store(target, value, span);
+        let result = self.fit(result, &target.ty, if op.is_some() { span } else { value.span })?;
+        self.store(target, result, span);
         Ok(())
     }
 
     /// The first value of a `let x;` decides its type.
     fn first_assignment(&mut self, local: u32, value: &'static Expr, span: Span) -> Lowered<()> {
         let value = self.expr(value)?;
-        let place = self.variable(Some(self.def.locals[local as usize].name), &value.ty);
+        let name = self.def.locals[local as usize].name;
+        if value.is_undecided() {
+            self.assumed.push(name);
+        }
+        let place = self.variable(Some(name), &value.ty);
         self.store(place, value, span);
         self.locals[local as usize] = Local::Memory(place);
         Ok(())
@@ -153,7 +168,12 @@ impl BodyBuilder<'_> {
                 };
                 let target = match *place {
                     Some(target) => target,
-                    None => *place.insert(self.variable(*name, &value.ty)),
+                    None => {
+                        if value.is_undecided() {
+                            self.assumed.extend(*name);
+                        }
+                        *place.insert(self.variable(*name, &value.ty))
+                    }
                 };
                 self.store(target, value, e.span);
                 Ok(())
@@ -206,6 +226,10 @@ impl BodyBuilder<'_> {
             let (body, ended) = self.nested(|b| b.block_into(&arm.body, sink))?;
             all_ended &= ended;
             push_cases(&mut cases, arm, body, unsigned);
+            if arm.patterns.is_empty() {
+                // Rust never gets to an arm below `_`.
+                break;
+            }
         }
         if !cases.iter().any(|c| c.value == SwitchValue::Default) {
             cases.push(SwitchCase {
@@ -401,16 +425,28 @@ struct Counter {
 }
 
 /// The cases of one arm: all but the last value fall through.
+///
+/// A value that an arm above takes is left out: Rust never gets here with it, and a switch may name
+/// it only once.
 fn push_cases(cases: &mut Vec<SwitchCase>, arm: &Arm, body: naga::Block, unsigned: bool) {
-    let value = |v: i64| if unsigned { SwitchValue::U32(v as u32) } else { SwitchValue::I32(v as i32) };
-    match arm.patterns.split_last() {
-        None => cases.push(SwitchCase { value: SwitchValue::Default, body, fall_through: false }),
-        Some((last, others)) => {
-            for &v in others {
-                cases.push(SwitchCase { value: value(v), body: naga::Block::new(), fall_through: true });
-            }
-            cases.push(SwitchCase { value: value(*last), body, fall_through: false });
+    if arm.patterns.is_empty() {
+        cases.push(SwitchCase { value: SwitchValue::Default, body, fall_through: false });
+        return;
+    }
+    let mut own: Vec<SwitchValue> = Vec::new();
+    for &v in arm.patterns {
+        let value = if unsigned { SwitchValue::U32(v as u32) } else { SwitchValue::I32(v as i32) };
+        if !own.contains(&value) && !cases.iter().any(|c| c.value == value) {
+            own.push(value);
         }
+    }
+    if let Some((last, others)) = own.split_last() {
+        cases.extend(others.iter().map(|&value| SwitchCase {
+            value,
+            body: naga::Block::new(),
+            fall_through: true,
+        }));
+        cases.push(SwitchCase { value: *last, body, fall_through: false });
     }
 }
 
