@@ -30,7 +30,7 @@ pub(crate) fn expand(
         errors.refuse(
             ty,
             "an entry point with a result",
-            "write to a `#[storage(..)] out: &mut [T]` parameter",
+            "write to a parameter `#[storage(0, 0)] values: &mut [T]`",
         );
     }
     let function = Function { item: &item, source, span, parameters: &parameters, result: result.as_ref() };

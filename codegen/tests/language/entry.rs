@@ -17,14 +17,14 @@ struct Settings {
 fn scale(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 0)] settings: &Settings,
-    #[storage(0, 1)] input: &[f32],
-    #[storage(0, 2)] output: &mut [f32],
+    #[storage(0, 1)] given: &[f32],
+    #[storage(0, 2)] found: &mut [f32],
 ) {
     let i = id.x;
-    if i >= input.len() as u32 {
+    if i >= given.len() as u32 {
         return;
     }
-    output[i as usize] = settings.factor * input[i as usize] + settings.axis.x;
+    found[i as usize] = settings.factor * given[i as usize] + settings.axis.x;
 }
 
 #[kernel(workgroup_size(8, 8))]
@@ -33,11 +33,11 @@ fn count(
     #[builtin(workgroup_id)] group: UVec3,
     #[storage(0, 0)] cells: &[AtomicU32],
     #[storage(0, 1)] total: &mut u32,
-    #[workgroup] shared: &mut [u32; 64],
+    #[workgroup] tile: &mut [u32; 64],
 ) {
-    shared[index as usize] = index + group.x;
+    tile[index as usize] = index + group.x;
     workgroup_barrier();
-    let former = atomic_add(&cells[(index % 4) as usize], shared[(63 - index) as usize]);
+    let former = atomic_add(&cells[(index % 4) as usize], tile[(63 - index) as usize]);
     atomic_max(&cells[5], former);
     atomic_store(&cells[6], atomic_load(&cells[7]));
     storage_barrier();
@@ -68,8 +68,8 @@ fn entry_points_go_through_every_writer() {
 }
 
 #[kernel(workgroup_size(1))]
-fn wrong_builtin(#[builtin(global_invocation_id)] id: u32, #[storage(0, 0)] output: &mut [u32]) {
-    output[0] = id;
+fn wrong_builtin(#[builtin(global_invocation_id)] id: u32, #[storage(0, 0)] found: &mut [u32]) {
+    found[0] = id;
 }
 
 #[kernel]
@@ -82,26 +82,26 @@ fn calls_an_entry_point(x: f32) -> f32 {
 fn lonely() {}
 
 #[kernel(workgroup_size(1))]
-fn one_output(#[storage(0, 0)] output: &mut [f32]) {
-    output[0] = 1.0;
+fn one_found(#[storage(0, 0)] found: &mut [f32]) {
+    found[0] = 1.0;
 }
 
 #[kernel(workgroup_size(1))]
-fn same_output(#[storage(0, 0)] output: &mut [f32]) {
-    output[0] = 1.0;
+fn same_found(#[storage(0, 0)] found: &mut [f32]) {
+    found[0] = 1.0;
 }
 
 #[kernel(workgroup_size(1))]
-fn other_output(#[storage(0, 1)] output: &mut [u32]) {
-    output[0] = 1;
+fn other_found(#[storage(0, 1)] found: &mut [u32]) {
+    found[0] = 1;
 }
 
 #[test]
 fn entry_points_share_a_binding_or_clash() {
-    let module = lowered(&kernels![one_output, same_output]);
+    let module = lowered(&kernels![one_found, same_found]);
     assert_eq!(module.module().global_variables.len(), 1);
-    let message = lobe_codegen::lower(&kernels![one_output, other_output]).unwrap_err().to_string();
-    assert!(message.contains("two items of one module are called `output`"), "{message}");
+    let message = lobe_codegen::lower(&kernels![one_found, other_found]).unwrap_err().to_string();
+    assert!(message.contains("two items of one module are called `found`"), "{message}");
 }
 
 #[test]

@@ -61,9 +61,9 @@ fn bounds_once(n: i32) -> i32 {
 }
 
 #[kernel]
-fn to_the_end(from: u32) -> u32 {
+fn to_the_end(first: u32) -> u32 {
     let mut rounds = 0u32;
-    for i in from..=u32::MAX {
+    for i in first..=u32::MAX {
         if i == 7 {
             return 99;
         }
@@ -73,9 +73,9 @@ fn to_the_end(from: u32) -> u32 {
 }
 
 #[kernel]
-fn to_the_signed_end(from: i32) -> i32 {
+fn to_the_signed_end(first: i32) -> i32 {
     let mut rounds = 0;
-    for _i in from..=i32::MAX {
+    for _i in first..=i32::MAX {
         rounds += 1;
     }
     rounds

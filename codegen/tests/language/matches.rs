@@ -19,7 +19,7 @@ fn values(n: i32) -> i32 {
 }
 
 #[kernel]
-fn unsigned(n: u32) -> f32 {
+fn without_sign(n: u32) -> f32 {
     let x = match n % 4 {
         0 => 0.5,
         1u32 => 1.5,
@@ -155,7 +155,7 @@ fn evaluated_once(n: i32) -> i32 {
 #[test]
 fn match_takes_the_arm_that_rust_takes() {
     agrees(kernels![values][0]);
-    agrees(kernels![unsigned][0]);
+    agrees(kernels![without_sign][0]);
     agrees(kernels![first_arm_wins][0]);
     agrees(kernels![evaluated_once][0]);
     agrees(kernels![returns_in_all_arms][0]);

@@ -42,23 +42,23 @@ mod uniform {
     use lobe_codegen::prelude::*;
 
     #[kernel(workgroup_size(1))]
-    pub(crate) fn stride(#[uniform(0, 0)] weights: &[f32; 4], #[storage(0, 1)] output: &mut [f32]) {
-        output[0] = weights[2];
+    pub(crate) fn stride(#[uniform(0, 0)] weights: &[f32; 4], #[storage(0, 1)] found: &mut [f32]) {
+        found[0] = weights[2];
     }
 
     #[kernel(workgroup_size(1))]
-    pub(crate) fn truths(#[storage(0, 0)] flags: &[bool], #[storage(0, 1)] output: &mut [f32]) {
-        output[0] = if flags[1] { 1.0 } else { 0.0 };
+    pub(crate) fn truths(#[storage(0, 0)] flags: &[bool], #[storage(0, 1)] found: &mut [f32]) {
+        found[0] = if flags[1] { 1.0 } else { 0.0 };
     }
 
     #[kernel(workgroup_size(1))]
-    pub(crate) fn one_place(#[storage(0, 0)] input: &[f32], #[storage(0, 0)] output: &mut [f32]) {
-        output[0] = input[0];
+    pub(crate) fn one_place(#[storage(0, 0)] given: &[f32], #[storage(0, 0)] found: &mut [f32]) {
+        found[0] = given[0];
     }
 
     #[kernel(workgroup_size(0))]
-    pub(crate) fn no_threads(#[storage(0, 0)] output: &mut [f32]) {
-        output[0] = 1.0;
+    pub(crate) fn no_threads(#[storage(0, 0)] found: &mut [f32]) {
+        found[0] = 1.0;
     }
 }
 

@@ -10,12 +10,12 @@ fn arithmetic(x: f32, y: f32) -> f32 {
 }
 
 #[kernel]
-fn signed(a: i32, b: i32) -> i32 {
+fn with_sign(a: i32, b: i32) -> i32 {
     (a + b) * 3 - a / 3 + b % 5 + (a & b) + (a | 12) + (a ^ b) + !a - -b
 }
 
 #[kernel]
-fn unsigned(a: u32, b: u32) -> u32 {
+fn without_sign(a: u32, b: u32) -> u32 {
     (a + b) * 3 + a / 3 + b % 5 + (a & b) + (a | 12) + (a ^ b) + (!a >> 8)
 }
 
@@ -65,8 +65,8 @@ fn float_methods(x: f32, y: f32) -> f32 {
 #[test]
 fn operators_compute_what_rust_computes() {
     agrees(kernels![arithmetic][0]);
-    agrees(kernels![signed][0]);
-    agrees(kernels![unsigned][0]);
+    agrees(kernels![with_sign][0]);
+    agrees(kernels![without_sign][0]);
     agrees(kernels![shifts][0]);
     agrees(kernels![sign_bit][0]);
     agrees_on(kernels![sign_bit][0], vec![vec![31], vec![30], vec![0]]);

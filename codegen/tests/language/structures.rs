@@ -32,14 +32,14 @@ fn build(axis: Vec3, sharpness: f32) -> Lobe {
 }
 
 #[kernel]
-fn read(b: Bundle, i: u32) -> f32 {
+fn reads(b: Bundle, i: u32) -> f32 {
     let i = (i % 2) as usize;
     let lobe = b.lobes[i];
     lobe.axis.y + b.lobes[1 - i].sharpness + b.weights[i] + b.weights[2] + b.frame.y_axis.z + b.count as f32
 }
 
 #[kernel]
-fn write(b: Bundle, i: u32, x: f32) -> Bundle {
+fn writes(b: Bundle, i: u32, x: f32) -> Bundle {
     let mut b = b;
     b.lobes[(i % 2) as usize].axis.x = x;
     b.lobes[0].sharpness *= 2.0;
@@ -98,8 +98,8 @@ fn chosen_array(n: u32) -> f32 {
 #[test]
 fn structures_and_arrays_hold_what_rust_holds() {
     agrees(kernels![build][0]);
-    agrees(kernels![read][0]);
-    agrees(kernels![write][0]);
+    agrees(kernels![reads][0]);
+    agrees(kernels![writes][0]);
     agrees(kernels![mutable_parameter][0]);
     agrees(kernels![nested_arrays][0]);
     agrees(kernels![table][0]);
