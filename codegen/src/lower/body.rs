@@ -1,5 +1,6 @@
 //! One function under construction: the arena, emission, blocks, locals.
 
+use super::contract;
 use super::error::{Fail, LowerError, Lowered};
 use super::module::{ExactLiteral, ModuleBuilder, builtin};
 use super::source::Spans;
@@ -86,6 +87,7 @@ impl<'m> BodyBuilder<'m> {
 
     fn whole(&mut self) -> Lowered<()> {
         self.def.params.iter().try_for_each(check_builtin)?;
+        contract::check(self.def)?;
         self.parameters();
         if let Some(ret) = &self.def.ret {
             let ty = self.modules.ty(ret);
