@@ -101,7 +101,10 @@ impl Function<'_> {
             self.native(&quote!(#ident), &self.value_types(), self.result)
         };
         let contract_tokens = self.contract(contract, errors);
-        let entry = workgroup_size(contract, ident, errors);
+        let entry = match contract.workgroup_size {
+            Some([x, y, z]) => quote!(Some([#x, #y, #z])),
+            None => quote!(None),
+        };
         let definition = self.function_def(
             &crate::scope::plain(ident),
             &entry,
@@ -157,7 +160,8 @@ impl Function<'_> {
         let (source, span, docs) = (&self.source, &self.span, source::docs(&self.item.attrs));
         let params = self.parameters.iter().map(|p| {
             let (name, binding, span) = (crate::scope::plain(&p.name), &p.binding, &p.span);
-            let ty = types::type_def(&p.ty, errors);
+            let ty =
+                if p.is_value { types::type_def(&p.ty, errors) } else { types::memory_def(&p.ty, errors) };
             quote!(::lobe_codegen::def::Param { name: #name, ty: #ty, binding: #binding, span: #span })
         });
         let params: Vec<_> = params.collect();
@@ -303,20 +307,5 @@ impl Function<'_> {
                 &DEF
             },
         })
-    }
-}
-
-fn workgroup_size(contract: &Contract, ident: &Ident, errors: &mut Errors) -> TokenStream {
-    match contract.workgroup_size.as_deref() {
-        None => quote!(None),
-        Some(sizes @ ([_] | [_, _] | [_, _, _])) => {
-            let size = |i: usize| sizes.get(i).copied().unwrap_or(1);
-            let (x, y, z) = (size(0), size(1), size(2));
-            quote!(Some([#x, #y, #z]))
-        }
-        Some(_) => {
-            errors.at(ident, "a workgroup size has one, two or three numbers");
-            quote!(None)
-        }
     }
 }

@@ -68,21 +68,20 @@ pub(crate) fn instead(name: &str) -> String {
     format!("write the function `{function}(..)` of the prelude, whose bits are the same on every machine")
 }
 
+const NO_ENUMERATIONS: &str = "kernels have no enumerations; use `u32` constants and `match`";
+
 /// What to write instead of `Type::name(..)`, if that is not part of the language.
 pub(crate) fn associated_function(ty: &str, name: &str) -> Option<String> {
     match name {
         "new" | "splat" | "from_cols" if is_glam(ty) => None,
         "from_bits" if ty == "f32" => None,
-        _ if is_glam(ty) => Some(
-            "vectors are built by `new` and `splat`, matrices by `from_cols`; their methods are called \
-                  as `v.dot(w)`"
-                .to_owned(),
-        ),
+        _ if is_glam(ty) && !allowed(name) => {
+            Some("vectors are built by `new` and `splat`, matrices by `from_cols`".to_owned())
+        }
         "from" | "try_from" => Some(format!("write `x as {ty}`")),
-        _ if is_primitive(ty) => Some(match instead(name) {
-            text if text.contains("free function") => "call a function of the prelude".to_owned(),
-            text => text,
-        }),
+        _ if allowed(name) => Some(format!("write it as a method, `x.{name}(..)`")),
+        _ if is_primitive(ty) => Some(instead(name)),
+        _ if name.starts_with(char::is_uppercase) => Some(NO_ENUMERATIONS.to_owned()),
         "new" | "default" => Some(format!("write `{ty} {{ field: value, .. }}`")),
         _ => Some("write a free function under `#[kernel]` and call that".to_owned()),
     }
@@ -103,7 +102,8 @@ pub(crate) fn associated_constant(ty: &str, name: &str) -> Option<String> {
             None
         }
         _ if is_glam(ty) || is_primitive(ty) => Some("write its value out".to_owned()),
-        _ => Some("declare a `#[kernel] const` outside of types and enumerations".to_owned()),
+        _ if name.contains(char::is_lowercase) => Some(NO_ENUMERATIONS.to_owned()),
+        _ => Some("declare a `#[kernel] const` outside of the type".to_owned()),
     }
 }
 

@@ -24,6 +24,8 @@ enum Source {
     Storage(u32, u32),
     Uniform(u32, u32),
     Workgroup,
+    /// An attribute that does not parse; its error says enough.
+    Mistaken,
 }
 
 /// Reads the parameters and takes the attributes away that only this macro knows.
@@ -91,8 +93,7 @@ fn take_source(attributes: &mut Vec<Attribute>, errors: &mut Errors) -> Option<S
             Ok(source) => found = Some(source),
             Err(error) => {
                 errors.push(error);
-                // It was meant to be one; the error above says enough.
-                found.get_or_insert(Source::Workgroup);
+                found.get_or_insert(Source::Mistaken);
             }
         }
         false
@@ -128,7 +129,7 @@ fn check_source(from: Option<&Source>, ty: &Type, is_entry: bool, errors: &mut E
 
 fn binding(from: Option<&Source>, writable: bool) -> TokenStream {
     match from {
-        None => quote!(::lobe_codegen::def::Binding::Value),
+        None | Some(Source::Mistaken) => quote!(::lobe_codegen::def::Binding::Value),
         Some(Source::Builtin(variant)) => {
             quote!(::lobe_codegen::def::Binding::Builtin(::lobe_codegen::def::Builtin::#variant))
         }
@@ -154,8 +155,8 @@ fn builtin(a: &Attribute) -> syn::Result<TokenStream> {
             return Err(syn::Error::new(
                 name.span(),
                 format!(
-                    "`{other}` is no built-in input of a compute entry point: global_invocation_id, \
-                     local_invocation_id, local_invocation_index, workgroup_id, num_workgroups"
+                    "`{other}` is no built-in input of a compute entry point; there are global_invocation_id, \
+                     local_invocation_id, local_invocation_index, workgroup_id and num_workgroups"
                 ),
             ));
         }

@@ -45,7 +45,10 @@ impl Translator<'_> {
             Stmt::Local(local) => Some(self.local(local)),
             Stmt::Expr(e, _) => Some(self.expr_stmt(e)),
             Stmt::Item(item) => {
-                let instead = "move it out of the function and mark it `#[kernel]`";
+                let instead = match item {
+                    syn::Item::Use(_) => "move it to the top of the module",
+                    _ => "move it out of the function and mark it `#[kernel]`",
+                };
                 self.errors.refuse(item, "an item inside a function", instead);
                 None
             }
@@ -155,7 +158,11 @@ impl Translator<'_> {
     fn for_loop(&mut self, f: &syn::ExprForLoop) -> TokenStream {
         self.unlabelled(f.label.as_ref());
         let Expr::Range(syn::ExprRange { start: Some(start), end: Some(end), limits, .. }) = &*f.expr else {
-            self.errors.refuse(&f.expr, "iterating over this", "write `for i in start..end` and index");
+            self.errors.refuse(
+                &f.expr,
+                "`for` over anything but a range `a..b`",
+                "write `for i in start..end` and index",
+            );
             return quote!(Break);
         };
         let (start, end) = (self.expr(start), self.expr(end));
