@@ -33,6 +33,34 @@ fn compares_structures(a: Sg, b: Sg) -> bool {
     a == b
 }
 
+#[kernel(domain(sg.width = 0.0..=1.0))]
+fn domain_of_no_field(sg: Sg) -> f32 {
+    sg.sharpness
+}
+
+#[kernel(domain(x = 2.0..=1.0))]
+fn empty_domain(x: f32) -> f32 {
+    x
+}
+
+#[kernel(domain(x = unit))]
+fn unit_scalar(x: f32) -> f32 {
+    x
+}
+
+#[kernel(budget(width = 1e-6))]
+fn budget_of_no_field(x: f32) -> Sg {
+    Sg { sharpness: x }
+}
+
+#[test]
+fn contracts_speak_of_what_there_is() {
+    points_at(&refusal(kernels![domain_of_no_field][0]), "Sg has no part `width`", "sg.width");
+    points_at(&refusal(kernels![empty_domain][0]), "the domain 2.0..=1.0 is empty", "x");
+    points_at(&refusal(kernels![unit_scalar][0]), "`unit` speaks of vectors, `x` is f32", "x");
+    assert!(refusal(kernels![budget_of_no_field][0]).contains("Sg has no part `width`"));
+}
+
 #[test]
 fn mistakes_are_shown_at_their_columns() {
     points_at(&refusal(kernels![compares_structures][0]), "cannot compare Sg with Sg", "a == b");
