@@ -368,8 +368,8 @@ pub struct Expr {
 /// What an expression computes.
 #[derive(Debug)]
 pub enum ExprKind {
-    /// A float literal: the value that its decimal text states.
-    Float(f64),
+    /// A float literal: the `f32` that rustc makes of it, and the value that its decimals state.
+    Float(f32, f64),
     /// An integer literal and its suffix.
     Int(u64, Option<Scalar>),
     /// `true` or `false`.
@@ -570,12 +570,20 @@ impl std::fmt::Debug for Truth {
 }
 
 /// A type that kernels can use.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no type of the kernel language",
+    label = "not marked `#[kernel]`; use f32, i32, u32, bool, glam's vectors and matrices, arrays, or a structure under `#[kernel]`"
+)]
 pub trait KernelType {
     /// Its description.
     const TYPE: TypeDef;
 }
 
 /// A [`KernelType`] that travels as 32-bit words: one for each scalar, in declaration order.
+#[diagnostic::on_unimplemented(
+    message = "values of type `{Self}` do not travel to kernels",
+    label = "use f32, i32, u32, bool, glam's vectors and matrices, arrays, or a structure under `#[kernel]`"
+)]
 pub trait KernelValue: KernelType + Sized {
     /// Takes the words of one value.
     fn read(words: &mut crate::data::WordReader<'_>) -> Self;
@@ -584,12 +592,20 @@ pub trait KernelValue: KernelType + Sized {
 }
 
 /// Implemented, beside every kernel and intrinsic, by a type of the same name.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no kernel function",
+    label = "only functions under `#[kernel]` and those of the prelude can be called"
+)]
 pub trait Callable {
     /// What a call of this name is.
     const CALLEE: Callee;
 }
 
 /// Implemented, beside every kernel constant, by a type of the same name.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no kernel constant",
+    label = "put `#[kernel]` on the `const`"
+)]
 pub trait Constant {
     /// Its definition.
     const DEF: ConstantRef;

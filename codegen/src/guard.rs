@@ -33,3 +33,26 @@ pub fn quietly<T>(work: impl FnOnce() -> T) -> Result<T, String> {
             .unwrap_or_else(|| "no message".to_owned())
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::quietly;
+
+    #[test]
+    fn the_words_of_a_panic_come_out() {
+        assert_eq!(quietly(|| 3), Ok(3));
+        assert_eq!(quietly(|| -> u32 { panic!("plain") }), Err("plain".to_owned()));
+        assert_eq!(quietly(|| -> u32 { panic!("with {}", 1) }), Err("with 1".to_owned()));
+        assert_eq!(quietly(|| std::panic::panic_any(5)), Err::<(), _>("no message".to_owned()));
+    }
+
+    #[test]
+    fn what_panics_inside_may_guard_again() {
+        let outcome = quietly(|| {
+            let inner = quietly(|| -> u32 { panic!("inner") });
+            assert_eq!(inner, Err("inner".to_owned()));
+            panic!("outer");
+        });
+        assert_eq!(outcome, Err::<(), _>("outer".to_owned()));
+    }
+}

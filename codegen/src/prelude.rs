@@ -17,5 +17,7 @@ pub use crate::math::*;
 pub use glam::{
     BVec2, BVec3, BVec4, IVec2, IVec3, IVec4, Mat2, Mat3, Mat4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4,
 };
+// Swizzles are methods of these.
+pub use glam::{Vec2Swizzles, Vec3Swizzles, Vec4Swizzles};
 pub use lobe_macros::kernel;
 pub use std::sync::atomic::{AtomicI32, AtomicU32};

@@ -33,6 +33,13 @@ pub enum ScopeError {
 }
 
 impl ScopeError {
+    /// Name of the function that breaks the rule.
+    pub fn function(&self) -> &str {
+        match self {
+            Self::Undominated { function, .. } | Self::MissingReturn { function } => function,
+        }
+    }
+
     /// Where the fault lies.
     pub fn span(&self) -> Span {
         match self {
@@ -104,13 +111,7 @@ impl Scope<'_> {
                 self.nested(reject)?;
             }
             Statement::Switch { cases, .. } => cases.iter().try_for_each(|case| self.nested(&case.body))?,
-            Statement::Loop { body, continuing, .. } => {
-                // `continuing` sees what the body computes.
-                let mark = self.undo.len();
-                self.block(body)?;
-                self.block(continuing)?;
-                self.forget(mark);
-            }
+            Statement::Loop { body, continuing, .. } => self.repeat(body, continuing)?,
             Statement::Call { result: Some(result), .. }
             | Statement::Atomic { result: Some(result), .. }
             | Statement::WorkGroupUniformLoad { result, .. }
@@ -133,6 +134,24 @@ impl Scope<'_> {
             | Statement::ImageAtomic { .. }
             | Statement::CooperativeStore { .. } => {}
         }
+        Ok(())
+    }
+
+    /// `continuing` sees what the body computes, up to the first `continue`.
+    fn repeat(&mut self, body: &Block, continuing: &Block) -> Result<(), ScopeError> {
+        let mark = self.undo.len();
+        let mut reached = None;
+        for statement in body {
+            if reached.is_none() && continues(statement) {
+                reached = Some(self.undo.len());
+            }
+            self.statement(statement)?;
+        }
+        if let Some(mark) = reached {
+            self.forget(mark);
+        }
+        self.block(continuing)?;
+        self.forget(mark);
         Ok(())
     }
 
@@ -243,6 +262,37 @@ fn ends(block: &Block) -> bool {
         | Statement::SubgroupCollectiveOperation { .. }
         | Statement::CooperativeStore { .. } => false,
     })
+}
+
+/// Whether a `continue` inside goes on with the loop around this statement.
+fn continues(statement: &Statement) -> bool {
+    let any = |block: &Block| block.iter().any(continues);
+    match statement {
+        Statement::Continue => true,
+        Statement::Block(block) => any(block),
+        Statement::If { accept, reject, .. } => any(accept) || any(reject),
+        Statement::Switch { cases, .. } => cases.iter().any(|case| any(&case.body)),
+        // A `continue` in there goes on with that one.
+        Statement::Loop { .. } => false,
+        Statement::Emit(_)
+        | Statement::Break
+        | Statement::Return { .. }
+        | Statement::Kill
+        | Statement::ControlBarrier(_)
+        | Statement::MemoryBarrier(_)
+        | Statement::Store { .. }
+        | Statement::ImageStore { .. }
+        | Statement::Atomic { .. }
+        | Statement::ImageAtomic { .. }
+        | Statement::WorkGroupUniformLoad { .. }
+        | Statement::Call { .. }
+        | Statement::RayQuery { .. }
+        | Statement::RayPipelineFunction(_)
+        | Statement::SubgroupBallot { .. }
+        | Statement::SubgroupGather { .. }
+        | Statement::SubgroupCollectiveOperation { .. }
+        | Statement::CooperativeStore { .. } => false,
+    }
 }
 
 /// Whether a `break` inside leaves the statement around this block.

@@ -44,6 +44,20 @@ fn chain(error: &dyn std::error::Error) -> String {
 }
 
 impl ValidateError {
+    /// The function or entry point that is at fault, if one is.
+    pub(crate) fn function(&self) -> Option<&str> {
+        match self {
+            Self::Invalid(error) => match error.as_inner() {
+                ValidationError::Function { name, .. } | ValidationError::EntryPoint { name, .. } => {
+                    Some(name)
+                }
+                _ => None,
+            },
+            Self::Scope(error) => Some(error.function()),
+            Self::Parse(_) | Self::Panicked { .. } => None,
+        }
+    }
+
     /// Where in the source the error lies, outermost first, with a label each.
     pub(crate) fn spans(&self) -> Vec<(naga::Span, String)> {
         match self {
@@ -59,10 +73,9 @@ impl ValidateError {
 /// # Errors
 /// When the module is refused, or naga panics on it.
 pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, ValidateError> {
-    let info = crate::guard::quietly(|| {
+    let info = guarded("validator", || {
         Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(Box::new)
-    })
-    .map_err(|message| ValidateError::Panicked { stage: "validator", message })?
+    })?
     .map_err(ValidateError::Invalid)?;
     scope::check(&module)?;
     Ok(ValidModule::new(module, info, meta))
@@ -73,8 +86,25 @@ pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, Validat
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
-    let module = crate::guard::quietly(|| naga::front::wgsl::parse_str(text))
-        .map_err(|message| ValidateError::Panicked { stage: "WGSL front end", message })?
+    let module = guarded("WGSL front end", || naga::front::wgsl::parse_str(text))?
         .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
     validate(module, Meta::default())
+}
+
+/// A panic of naga as an error.
+fn guarded<T>(stage: &'static str, work: impl FnOnce() -> T) -> Result<T, ValidateError> {
+    crate::guard::quietly(work).map_err(|message| ValidateError::Panicked { stage, message })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_of_naga_is_an_error_that_says_whose_fault_it_is() {
+        let error = guarded("validator", || -> u32 { panic!("index {} out of bounds", 7) }).unwrap_err();
+        let text = error.to_string();
+        assert!(text.starts_with("naga's validator panicked (index 7 out of bounds)"), "{text}");
+        assert!(text.contains("fault of naga"), "{text}");
+    }
 }

@@ -44,7 +44,7 @@ pub const COSINE_AMPLITUDE: f32 = 1182.2467339678153;
 /// Returns the ratio, in 0 ..= 0.301; `t` approaches `sqrt(k/2)` for sharp lobes.
 ///
 /// Numerics: the sharpness is clamped to 1e9, beyond which its square would overflow at last.
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 6", domain(sharpness = 0.0..=1e6), budget(2e-6 * result))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 6", domain(sharpness = 0.0..=1e6), budget(1e-6 * result))]
 pub fn hsg_steepness(sharpness: f32) -> f32 {
     let k = min(sharpness, 1e9);
     sqrt((0.5 * k + STEEPNESS_A) / ((k + STEEPNESS_B) * k + STEEPNESS_C))
@@ -77,7 +77,7 @@ pub fn hsg_upper_integral(sharpness: f32) -> f32 {
 /// Returns the ratio, in -1 ..= 1, with the sign of `c`.
 ///
 /// Numerics: for `t < 1e-4` it is `c` to within 3e-9.
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 5", domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6), budget(4e-6))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 5", domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6), budget(6e-6))]
 pub fn hsg_ratio(cosine: f32, sharpness: f32) -> f32 {
     let c = clamp(cosine, -1.0, 1.0);
     let t = sharpness * hsg_steepness(sharpness);

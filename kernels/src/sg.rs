@@ -97,12 +97,12 @@ pub fn sg_integral(sharpness: f32) -> f32 {
     cite = "[Tokuyoshi22] supplement eq. 1, 2",
     budget(
         axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
-        sharpness = 2e-6 * max(a.sharpness, b.sharpness) + 1e-30,
-        log_amplitude = 2e-6 * abs(a.log_amplitude + b.log_amplitude) + 2e-6 * min(a.sharpness, b.sharpness) * min(1.0, dot(a.axis - b.axis, a.axis - b.axis)) * 2.0 + 2e-6
+        sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
+        log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     )
 )]
 pub fn sg_product(a: Sg, b: Sg) -> Sg {
-    // The floor keeps two constant lobes from dividing by zero.
+    // The floors here and below keep two constant lobes from dividing by zero; otherwise `ra + rb >= 1`.
     let largest = max(max(a.sharpness, b.sharpness), 1e-30);
     let ra = a.sharpness / largest;
     let rb = b.sharpness / largest;
@@ -110,7 +110,7 @@ pub fn sg_product(a: Sg, b: Sg) -> Sg {
     let sum = a.axis + b.axis;
     let gap = ra - rb;
     let norm = sqrt(gap * gap + ra * rb * dot(sum, sum));
-    let shift = -largest * (ra * rb * dot(difference, difference) / (norm + ra + rb));
+    let shift = -largest * (ra * rb * dot(difference, difference) / max(norm + ra + rb, 1.0));
     Sg {
         axis: (ra * a.axis + rb * b.axis) / max(norm, 1e-6),
         sharpness: largest * norm,
@@ -130,8 +130,8 @@ pub fn sg_product(a: Sg, b: Sg) -> Sg {
     cite = "[Tokuyoshi22] supplement listing 2",
     budget(
         axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
-        sharpness = 2e-6 * max(a.sharpness, b.sharpness) + 1e-30,
-        log_amplitude = 2e-6 * abs(a.log_amplitude + b.log_amplitude) + 2e-6 * min(a.sharpness, b.sharpness) * min(1.0, dot(a.axis - b.axis, a.axis - b.axis)) * 2.0 + 2e-6
+        sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
+        log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     ),
     variant_of = sg_product,
     not_robust = "cosine - 1 cancels for near-parallel axes and the sharpness multiplies its error; 0/0 for two constant lobes"
@@ -168,7 +168,7 @@ pub fn sg_product_paper(a: Sg, b: Sg) -> Sg {
 #[kernel(
     family = "sg",
     cite = "[Wang09] section 3",
-    budget((4e-6 + 1.5e-6 * abs(sg_product(a, b).log_amplitude) + 1.5e-6 * abs(a.log_amplitude) + 1.5e-6 * abs(b.log_amplitude)) * result + 1e-35)
+    budget((4e-6 + 4e-6 * abs(sg_product(a, b).log_amplitude - a.log_amplitude - b.log_amplitude) + 1e-6 * (abs(a.log_amplitude) + abs(b.log_amplitude))) * result + 1e-35)
 )]
 pub fn sg_sg_product_integral(a: Sg, b: Sg) -> f32 {
     let product = sg_product(a, b);

@@ -17,7 +17,18 @@ pub(crate) struct Contract {
     pub(crate) variant_of: Option<Path>,
     pub(crate) not_robust: Option<LitStr>,
     pub(crate) truth: Option<Path>,
-    pub(crate) workgroup_size: Option<Vec<u32>>,
+    pub(crate) workgroup_size: Option<[u32; 3]>,
+    /// The names of the arguments, in order.
+    written: Vec<Ident>,
+}
+
+impl Contract {
+    /// Notes arguments on an item that has none.
+    pub(crate) fn refuse_arguments(&self, what: &str, errors: &mut Errors) {
+        for name in &self.written {
+            errors.at(name, format!("{what} takes no argument `{name}`; only functions make promises"));
+        }
+    }
 }
 
 /// `path = domain`
@@ -82,25 +93,25 @@ pub(crate) fn parse(tokens: TokenStream, errors: &mut Errors) -> Contract {
 
 fn argument(input: ParseStream<'_>, contract: &mut Contract) -> syn::Result<()> {
     let name: Ident = input.parse()?;
+    if contract.written.contains(&name) {
+        return Err(syn::Error::new(name.span(), format!("`{name}` is stated twice")));
+    }
+    contract.written.push(name.clone());
     match name.to_string().as_str() {
-        "family" => contract.family = Some(assigned(input)?),
-        "cite" => contract.cite = Some(assigned(input)?),
-        "not_robust" => contract.not_robust = Some(assigned(input)?),
+        "family" => contract.family = Some(text(input, &name)?),
+        "cite" => contract.cite = Some(text(input, &name)?),
+        "not_robust" => contract.not_robust = Some(text(input, &name)?),
         "variant_of" => contract.variant_of = Some(assigned(input)?),
         "truth" => contract.truth = Some(assigned(input)?),
         "domain" => contract.domain.extend(listed::<DomainRow>(input)?),
         "budget" => contract.budget.extend(listed::<BudgetRow>(input)?),
-        "workgroup_size" => {
-            let sizes = listed::<LitInt>(input)?;
-            contract.workgroup_size =
-                Some(sizes.iter().map(LitInt::base10_parse).collect::<syn::Result<_>>()?);
-        }
+        "workgroup_size" => contract.workgroup_size = Some(workgroup_size(input, &name)?),
         other => {
             return Err(syn::Error::new(
                 name.span(),
                 format!(
-                    "`{other}` is no argument of #[kernel]: family, cite, domain(..), budget(..), variant_of, \
-                     not_robust, truth, workgroup_size(..)"
+                    "`{other}` is no argument of #[kernel]; there are family, cite, domain(..), budget(..), \
+                     variant_of, not_robust, truth and workgroup_size(..)"
                 ),
             ));
         }
@@ -111,6 +122,26 @@ fn argument(input: ParseStream<'_>, contract: &mut Contract) -> syn::Result<()> 
 fn assigned<T: Parse>(input: ParseStream<'_>) -> syn::Result<T> {
     input.parse::<Token![=]>()?;
     input.parse()
+}
+
+fn text(input: ParseStream<'_>, name: &Ident) -> syn::Result<LitStr> {
+    input.parse::<Token![=]>()?;
+    input
+        .parse()
+        .map_err(|e| syn::Error::new(e.span(), format!("`{name}` is a text: write `{name} = \"..\"`")))
+}
+
+/// One to three numbers; what is left out is 1.
+fn workgroup_size(input: ParseStream<'_>, name: &Ident) -> syn::Result<[u32; 3]> {
+    let wrong = |span| syn::Error::new(span, "a workgroup size has one, two or three numbers, as `(8, 8)`");
+    let sizes = listed::<LitInt>(input).map_err(|e| wrong(e.span()))?;
+    let sizes: Vec<u32> = sizes.iter().map(LitInt::base10_parse).collect::<syn::Result<_>>()?;
+    match sizes[..] {
+        [x] => Ok([x, 1, 1]),
+        [x, y] => Ok([x, y, 1]),
+        [x, y, z] => Ok([x, y, z]),
+        _ => Err(wrong(name.span())),
+    }
 }
 
 fn listed<T: Parse>(input: ParseStream<'_>) -> syn::Result<Vec<T>> {

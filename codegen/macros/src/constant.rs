@@ -12,8 +12,10 @@ pub(crate) fn expand(item: ItemConst, errors: &mut Errors) -> (TokenStream, Toke
     let ItemConst { ident, vis, ty, expr, attrs, .. } = &item;
     let (name, docs) = (ident.to_string(), source::docs(attrs));
     let (source, span) = (source::source(&item), source::span(&item));
+    let before = errors.len();
     let type_def = types::type_def(ty, errors);
-    let value = value(ty, &quote!(#ident), errors);
+    // One mistake about the type is enough.
+    let value = if errors.len() == before { value(ty, &quote!(#ident), errors) } else { TokenStream::new() };
     let exact = match float_literal(expr) {
         Some(value) => quote!(Some(#value)),
         None => quote!(None),
@@ -39,6 +41,9 @@ pub(crate) fn expand(item: ItemConst, errors: &mut Errors) -> (TokenStream, Toke
     };
     (quote!(#item), definition)
 }
+
+/// What constants can be.
+const INSTEAD: &str = "use numbers, vectors or arrays of them; build structures in a function";
 
 /// A `ConstantValue` expression for the Rust constant expression `path` of type `ty`.
 fn value(ty: &Type, path: &TokenStream, errors: &mut Errors) -> TokenStream {
@@ -67,13 +72,13 @@ fn value(ty: &Type, path: &TokenStream, errors: &mut Errors) -> TokenStream {
                         .collect(),
                 ),
                 (None, None) => {
-                    errors.refuse(ty, "a constant of this type", "use numbers, vectors or arrays of them");
+                    errors.refuse(ty, "a constant of this type", INSTEAD);
                     composite(Vec::new())
                 }
             }
         }
         other => {
-            errors.refuse(other, "a constant of this type", "use numbers, vectors or arrays of them");
+            errors.refuse(other, "a constant of this type", INSTEAD);
             composite(Vec::new())
         }
     }

@@ -2,10 +2,10 @@
 
 use crate::errors::Errors;
 use crate::scope::Scope;
-use crate::{method, source, types};
-use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
-use syn::{BinOp, Expr, ExprPath, Lit, UnOp};
+use crate::{source, types};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{BinOp, Expr, Lit, UnOp};
 
 /// Translates the inside of one function.
 pub(crate) struct Translator<'e> {
@@ -26,7 +26,7 @@ impl Translator<'_> {
     }
 
     /// A `&'static [Expr]`.
-    fn exprs<'a>(&mut self, list: impl IntoIterator<Item = &'a Expr>) -> TokenStream {
+    pub(crate) fn exprs<'a>(&mut self, list: impl IntoIterator<Item = &'a Expr>) -> TokenStream {
         let list: Vec<_> = list.into_iter().map(|e| self.expr(e)).collect();
         quote!(&[#(#list),*])
     }
@@ -85,10 +85,13 @@ impl Translator<'_> {
                         "i32" => quote!(Some(::lobe_codegen::def::Scalar::I32)),
                         _ => quote!(Some(::lobe_codegen::def::Scalar::U32)),
                     };
-                    match i.base10_parse::<u64>() {
-                        Ok(value) => quote!(::lobe_codegen::def::ExprKind::Int(#value, #scalar)),
-                        Err(error) => {
-                            self.errors.push(error);
+                    match i.base10_parse::<u32>() {
+                        Ok(value) => {
+                            let value = u64::from(value);
+                            quote!(::lobe_codegen::def::ExprKind::Int(#value, #scalar))
+                        }
+                        Err(_) => {
+                            self.errors.at(lit, "an integer of the kernel language has 32 bits");
                             nothing()
                         }
                     }
@@ -112,29 +115,15 @@ impl Translator<'_> {
     }
 
     fn float(&mut self, lit: &Lit, digits: &str) -> TokenStream {
-        let value: f64 = digits.parse().unwrap_or(f64::NAN);
-        if !(value as f32).is_finite() {
+        // Rounded from the decimals at once: by way of f64 the last bit may differ.
+        let (value, exact) = (digits.parse::<f32>(), digits.parse::<f64>());
+        let (value, exact) = (value.unwrap_or(f32::NAN), exact.unwrap_or(f64::NAN));
+        if !value.is_finite() {
             self.errors
                 .at(lit, "this literal is no finite `f32`: shading languages have no literal for infinity");
-        }
-        quote!(::lobe_codegen::def::ExprKind::Float(#value))
-    }
-
-    fn path(&mut self, e: &ExprPath) -> TokenStream {
-        if e.qself.is_some() {
-            self.errors.refuse(e, "a path through a trait", "name the item directly");
             return nothing();
         }
-        if let Some(local) = e.path.get_ident().and_then(|name| self.scope.find(name)) {
-            return quote!(::lobe_codegen::def::ExprKind::Local(#local));
-        }
-        if let Some((ty, name)) = associated(&e.path) {
-            let ty = types::type_def(&ty, self.errors);
-            let name = name.to_string();
-            return quote!(::lobe_codegen::def::ExprKind::TypeConstant(#ty, #name));
-        }
-        let path = &e.path;
-        quote!(::lobe_codegen::def::ExprKind::Constant(<#path as ::lobe_codegen::def::Constant>::DEF))
+        quote!(::lobe_codegen::def::ExprKind::Float(#value, #exact))
     }
 
     fn unary(&mut self, e: &syn::ExprUnary) -> TokenStream {
@@ -169,56 +158,6 @@ impl Translator<'_> {
         quote!(::lobe_codegen::def::ExprKind::Binary(#op, &#left, &#right))
     }
 
-    fn call(&mut self, e: &syn::ExprCall) -> TokenStream {
-        let Expr::Path(function) = &*e.func else {
-            self.errors.refuse(&e.func, "calling a value", "call a function by its name");
-            return nothing();
-        };
-        if let Some(name) = function.path.get_ident() {
-            if self.scope.find(name).is_some() {
-                self.errors.refuse(&e.func, "calling a variable", "call a function by its name");
-                return nothing();
-            }
-            if *name == self.function {
-                self.errors.refuse(&e.func, "recursion", "write a loop; no shading language calls itself");
-                return nothing();
-            }
-        }
-        if let Some(last) = function.path.segments.last()
-            && !last.arguments.is_none()
-        {
-            self.errors.refuse(&e.func, "a generic call", "leave the type arguments out");
-        }
-        let arguments: Vec<_> = e.args.iter().map(|a| self.argument(a)).collect();
-        let arguments = quote!(&[#(#arguments),*]);
-        if let Some((ty, name)) = associated(&function.path) {
-            let ty = types::type_def(&ty, self.errors);
-            let name = name.to_string();
-            return quote!(::lobe_codegen::def::ExprKind::TypeCall(#ty, #name, #arguments));
-        }
-        let path = &function.path;
-        quote!(::lobe_codegen::def::ExprKind::Call(<#path as ::lobe_codegen::def::Callable>::CALLEE, #arguments))
-    }
-
-    /// An argument; `&place` is allowed here, for atomics.
-    fn argument(&mut self, e: &Expr) -> TokenStream {
-        match e {
-            Expr::Reference(r) if r.mutability.is_none() => self.expr(&r.expr),
-            other => self.expr(other),
-        }
-    }
-
-    fn method(&mut self, e: &syn::ExprMethodCall) -> TokenStream {
-        let name = e.method.to_string();
-        if !method::allowed(&name) {
-            self.errors.refuse(&e.method, &format!("the method `{name}`"), &method::instead(&name));
-            return nothing();
-        }
-        let receiver = self.expr(&e.receiver);
-        let arguments = self.exprs(&e.args);
-        quote!(::lobe_codegen::def::ExprKind::Method(&#receiver, #name, #arguments))
-    }
-
     fn field(&mut self, e: &syn::ExprField) -> TokenStream {
         let syn::Member::Named(name) = &e.member else {
             self.errors.refuse(&e.member, "a tuple field", "declare a structure with named fields");
@@ -251,73 +190,6 @@ impl Translator<'_> {
         quote!(::lobe_codegen::def::ExprKind::Struct { ty: #ty, fields: &[#(#fields),*], rest: #rest })
     }
 
-    fn if_else(&mut self, e: &syn::ExprIf) -> TokenStream {
-        if let Expr::Let(_) = &*e.cond {
-            self.errors.refuse(&e.cond, "`if let`", "compare with `==`, or `match` on an integer");
-            return nothing();
-        }
-        let condition = self.expr(&e.cond);
-        let accept = self.block(&e.then_branch);
-        let reject = match &e.else_branch {
-            None => quote!(None),
-            Some((_, branch)) => {
-                let block = self.branch(branch);
-                quote!(Some(#block))
-            }
-        };
-        quote!(::lobe_codegen::def::ExprKind::If { condition: &#condition, accept: #accept, reject: #reject })
-    }
-
-    /// A block, or another expression as the value of one.
-    fn branch(&mut self, e: &Expr) -> TokenStream {
-        if let Expr::Block(b) = e {
-            return self.block(&b.block);
-        }
-        // Statements such as `x = 1`, `break`, `return` may stand for an arm.
-        if crate::stmt::is_statement(e) {
-            let stmt = self.expr_stmt(e);
-            return quote!(::lobe_codegen::def::Block { stmts: &[#stmt], value: None });
-        }
-        let value = self.expr(e);
-        quote!(::lobe_codegen::def::Block { stmts: &[], value: Some(&#value) })
-    }
-
-    fn match_integers(&mut self, e: &syn::ExprMatch) -> TokenStream {
-        let selector = self.expr(&e.expr);
-        let mut arms = Vec::new();
-        for arm in &e.arms {
-            let mut values = Vec::new();
-            self.pattern(&arm.pat, &mut values);
-            let body = self.branch(&arm.body);
-            let span = source::span(&arm.pat);
-            arms.push(
-                quote!(::lobe_codegen::def::Arm { patterns: &[#(#values),*], body: #body, span: #span }),
-            );
-        }
-        quote!(::lobe_codegen::def::ExprKind::Match { selector: &#selector, arms: &[#(#arms),*] })
-    }
-
-    fn pattern(&mut self, pattern: &syn::Pat, values: &mut Vec<TokenStream>) {
-        match pattern {
-            syn::Pat::Wild(_) => {}
-            syn::Pat::Or(or) => or.cases.iter().for_each(|case| self.pattern(case, values)),
-            syn::Pat::Lit(literal) if is_integer(&literal.lit) => {
-                values.push(quote!((#pattern) as i64));
-            }
-            other => {
-                let text = other.to_token_stream().to_string();
-                match text.parse::<i64>().ok().or_else(|| text.replace(' ', "").parse().ok()) {
-                    Some(value) => values.push(quote!(#value)),
-                    None => self.errors.refuse(
-                        other,
-                        "this pattern",
-                        "match an integer with literals, `|` and `_`; put other tests into `if`",
-                    ),
-                }
-            }
-        }
-    }
-
     fn refused(&mut self, e: &Expr) -> TokenStream {
         let (what, instead) = match e {
             Expr::Closure(_) => ("a closure", "declare a function under `#[kernel]`"),
@@ -329,6 +201,7 @@ impl Translator<'_> {
             Expr::Unsafe(_) => ("`unsafe`", "leave it out; kernels have no unsafe operation"),
             Expr::Async(_) | Expr::Await(_) => ("asynchronous code", "a kernel runs from begin to end"),
             Expr::Let(_) => ("`let` in a condition", "compare with `==`"),
+            Expr::Block(_) => ("a labelled block", "move it to a function and return from that"),
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
                 ("a loop as a value", "assign to a `let mut` inside the loop")
             }
@@ -343,25 +216,8 @@ impl Translator<'_> {
 }
 
 /// Stands where a mistake was noted; it is never compiled.
-fn nothing() -> TokenStream {
+pub(crate) fn nothing() -> TokenStream {
     quote!(::lobe_codegen::def::ExprKind::Bool(false))
-}
-
-fn is_integer(lit: &Lit) -> bool {
-    matches!(lit, Lit::Int(_))
-}
-
-/// `Type::name`: the type and the name, for a path whose last but one segment is a type by its case.
-fn associated(path: &syn::Path) -> Option<(syn::Type, Ident)> {
-    let mut segments: Vec<_> = path.segments.iter().cloned().collect();
-    let last = segments.pop()?;
-    let owner = segments.last()?.ident.to_string();
-    let primitive = matches!(owner.as_str(), "f32" | "i32" | "u32" | "bool");
-    if !primitive && !owner.starts_with(char::is_uppercase) {
-        return None;
-    }
-    let path = syn::Path { leading_colon: path.leading_colon, segments: segments.into_iter().collect() };
-    Some((syn::Type::Path(syn::TypePath { attrs: Vec::new(), qself: None, path }), last.ident))
 }
 
 /// The operator, unless it assigns.

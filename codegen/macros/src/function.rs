@@ -3,21 +3,12 @@
 use crate::attribute::{self, Contract};
 use crate::errors::Errors;
 use crate::expr::Translator;
+use crate::parameter::{self, Parameter};
 use crate::scope::Scope;
 use crate::{names, source, types};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::{FnArg, ItemFn, ReturnType, Type};
-
-/// A parameter after the checks.
-struct Parameter {
-    name: Ident,
-    mutable: bool,
-    ty: Type,
-    binding: TokenStream,
-    is_value: bool,
-    span: TokenStream,
-}
+use syn::{ItemFn, ReturnType, Type};
 
 /// The function, without the attributes that only this macro knows, and its definition.
 pub(crate) fn expand(
@@ -30,7 +21,7 @@ pub(crate) fn expand(
     names::check(&item.sig.ident, errors);
     refuse_signature(&item, errors);
     let is_entry = contract.workgroup_size.is_some();
-    let parameters = parameters(&mut item.sig.inputs, is_entry, errors);
+    let parameters = parameter::parameters(&mut item.sig.inputs, is_entry, errors);
     let result = match &item.sig.output {
         ReturnType::Default => None,
         ReturnType::Type(_, ty) => Some((**ty).clone()),
@@ -39,12 +30,32 @@ pub(crate) fn expand(
         errors.refuse(
             ty,
             "an entry point with a result",
-            "write to a `#[storage(..)] out: &mut [T]` parameter",
+            "write to a parameter `#[storage(0, 0)] values: &mut [T]`",
         );
     }
     let function = Function { item: &item, source, span, parameters: &parameters, result: result.as_ref() };
     let definition = function.definition(&contract, errors);
-    (quote!(#item), definition)
+    let allowed = allowed_lints();
+    (quote!(#allowed #item), definition)
+}
+
+/// Lints whose advice lies outside the kernel language.
+fn allowed_lints() -> TokenStream {
+    quote!(#[allow(
+        clippy::explicit_counter_loop,
+        clippy::manual_clamp,
+        clippy::manual_div_ceil,
+        clippy::manual_is_multiple_of,
+        clippy::manual_memcpy,
+        clippy::manual_midpoint,
+        clippy::manual_range_contains,
+        clippy::manual_range_patterns,
+        clippy::manual_swap,
+        clippy::needless_range_loop,
+        clippy::neg_cmp_op_on_partial_ord,
+        clippy::too_many_arguments,
+        reason = "what these lints advise is not part of the kernel language"
+    )])
 }
 
 fn last_span(sig: &syn::Signature) -> proc_macro2::Span {
@@ -65,116 +76,6 @@ fn refuse_signature(item: &ItemFn, errors: &mut Errors) {
     let unsafety = sig.safety.to_token_stream();
     if !unsafety.is_empty() {
         errors.refuse(&unsafety, "an `unsafe` function", "leave `unsafe` out");
-    }
-}
-
-fn parameters(
-    inputs: &mut syn::punctuated::Punctuated<FnArg, syn::Token![,]>,
-    is_entry: bool,
-    errors: &mut Errors,
-) -> Vec<Parameter> {
-    let mut out = Vec::new();
-    for input in inputs {
-        let span = source::span(input);
-        let FnArg::Typed(input) = input else {
-            errors.refuse(input, "a method", "write a free function that takes the value");
-            continue;
-        };
-        let binding = take_binding(&mut input.attrs, &input.ty, is_entry, errors);
-        let syn::Pat::Ident(pattern) = &*input.pat else {
-            errors.refuse(
-                &input.pat,
-                "a destructuring parameter",
-                "bind one name and take its fields with `.`",
-            );
-            continue;
-        };
-        names::check(&pattern.ident, errors);
-        let is_memory = matches!(&*input.ty, Type::Reference(_));
-        let ty = match (&*input.ty, &binding) {
-            (Type::Reference(r), Some(_)) => (*r.elem).clone(),
-            (other, _) => other.clone(),
-        };
-        out.push(Parameter {
-            name: pattern.ident.clone(),
-            mutable: pattern.mutability.is_some(),
-            ty,
-            is_value: binding.is_none() || !is_memory,
-            binding: binding.unwrap_or_else(|| quote!(::lobe_codegen::def::Binding::Value)),
-            span,
-        });
-    }
-    out
-}
-
-/// Takes `#[builtin]`, `#[storage]`, `#[uniform]` or `#[workgroup]` away and returns it as a `Binding`.
-fn take_binding(
-    attributes: &mut Vec<syn::Attribute>,
-    ty: &Type,
-    is_entry: bool,
-    errors: &mut Errors,
-) -> Option<TokenStream> {
-    let mut binding = None;
-    attributes.retain(|a| {
-        let name = a.path().to_token_stream().to_string();
-        let parsed = match name.as_str() {
-            "builtin" => builtin(a),
-            "storage" => numbers(a).map(|(g, b)| {
-                let writable = matches!(ty, Type::Reference(r) if r.mutability.is_some());
-                quote!(::lobe_codegen::def::Binding::Storage { group: #g, binding: #b, writable: #writable })
-            }),
-            "uniform" => numbers(a)
-                .map(|(g, b)| quote!(::lobe_codegen::def::Binding::Uniform { group: #g, binding: #b })),
-            "workgroup" => Ok(quote!(::lobe_codegen::def::Binding::Workgroup)),
-            _ => return true,
-        };
-        match parsed {
-            Ok(tokens) => binding = Some(tokens),
-            Err(error) => errors.push(error),
-        }
-        false
-    });
-    match (&binding, is_entry) {
-        (None, true) => errors.at(
-            ty,
-            "a parameter of an entry point says where it comes from: \
-             #[builtin(..)], #[storage(group, binding)], #[uniform(group, binding)] or #[workgroup]",
-        ),
-        (Some(_), false) => {
-            errors.at(ty, "only entry points have bindings: add `workgroup_size(..)` to #[kernel]");
-        }
-        (None, false) | (Some(_), true) => {}
-    }
-    binding
-}
-
-fn builtin(a: &syn::Attribute) -> syn::Result<TokenStream> {
-    let name: Ident = a.parse_args()?;
-    let variant = match name.to_string().as_str() {
-        "global_invocation_id" => quote!(GlobalInvocationId),
-        "local_invocation_id" => quote!(LocalInvocationId),
-        "local_invocation_index" => quote!(LocalInvocationIndex),
-        "workgroup_id" => quote!(WorkgroupId),
-        "num_workgroups" => quote!(NumWorkgroups),
-        other => {
-            return Err(syn::Error::new(
-                name.span(),
-                format!(
-                    "`{other}` is no built-in input of a compute entry point: global_invocation_id, \
-                     local_invocation_id, local_invocation_index, workgroup_id, num_workgroups"
-                ),
-            ));
-        }
-    };
-    Ok(quote!(::lobe_codegen::def::Binding::Builtin(::lobe_codegen::def::Builtin::#variant)))
-}
-
-fn numbers(a: &syn::Attribute) -> syn::Result<(u32, u32)> {
-    let list =
-        a.parse_args_with(syn::punctuated::Punctuated::<syn::LitInt, syn::Token![,]>::parse_terminated)?;
-    match list.iter().map(syn::LitInt::base10_parse).collect::<syn::Result<Vec<u32>>>()?[..] {
-        [group, binding] => Ok((group, binding)),
-        _ => Err(syn::Error::new_spanned(a, "write the group and the binding, as `(0, 1)`")),
     }
 }
 
@@ -200,7 +101,10 @@ impl Function<'_> {
             self.native(&quote!(#ident), &self.value_types(), self.result)
         };
         let contract_tokens = self.contract(contract, errors);
-        let entry = workgroup_size(contract, ident, errors);
+        let entry = match contract.workgroup_size {
+            Some([x, y, z]) => quote!(Some([#x, #y, #z])),
+            None => quote!(None),
+        };
         let definition = self.function_def(
             &crate::scope::plain(ident),
             &entry,
@@ -217,6 +121,8 @@ impl Function<'_> {
             #vis enum #ident {}
             impl ::lobe_codegen::def::Callable for #ident {
                 const CALLEE: ::lobe_codegen::def::Callee = ::lobe_codegen::def::Callee::Function(|| {
+                    // The host may know an entry point by its definition alone.
+                    let _ = #ident;
                     static DEF: ::lobe_codegen::def::FunctionDef = #definition;
                     &DEF
                 });
@@ -254,7 +160,8 @@ impl Function<'_> {
         let (source, span, docs) = (&self.source, &self.span, source::docs(&self.item.attrs));
         let params = self.parameters.iter().map(|p| {
             let (name, binding, span) = (crate::scope::plain(&p.name), &p.binding, &p.span);
-            let ty = types::type_def(&p.ty, errors);
+            let ty =
+                if p.is_value { types::type_def(&p.ty, errors) } else { types::memory_def(&p.ty, errors) };
             quote!(::lobe_codegen::def::Param { name: #name, ty: #ty, binding: #binding, span: #span })
         });
         let params: Vec<_> = params.collect();
@@ -400,20 +307,5 @@ impl Function<'_> {
                 &DEF
             },
         })
-    }
-}
-
-fn workgroup_size(contract: &Contract, ident: &Ident, errors: &mut Errors) -> TokenStream {
-    match contract.workgroup_size.as_deref() {
-        None => quote!(None),
-        Some(sizes @ ([_] | [_, _] | [_, _, _])) => {
-            let size = |i: usize| sizes.get(i).copied().unwrap_or(1);
-            let (x, y, z) = (size(0), size(1), size(2));
-            quote!(Some([#x, #y, #z]))
-        }
-        Some(_) => {
-            errors.at(ident, "a workgroup size has one, two or three numbers");
-            quote!(None)
-        }
     }
 }

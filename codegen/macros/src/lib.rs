@@ -7,10 +7,13 @@
 //! definition without this macro knowing what `path` is.
 //!
 //! The way of an item: [`item`] dispatches; [`attribute`] reads the contract; [`function`],
-//! [`structure`] and [`constant`] expand; [`stmt`], [`expr`] and [`types`] translate what is inside.
+//! [`structure`] and [`constant`] expand; [`stmt`], [`expr`], [`branch`], [`call`]
+//! and [`types`] translate what is inside.
 //! All mistakes of an item are gathered in [`errors`] and shown at once.
 
 mod attribute;
+mod branch;
+mod call;
 mod constant;
 mod errors;
 mod expr;
@@ -18,6 +21,7 @@ mod function;
 mod item;
 mod method;
 mod names;
+mod parameter;
 mod scope;
 mod source;
 mod stmt;
@@ -46,6 +50,10 @@ use proc_macro::TokenStream;
 ///
 /// Parameters of entry points are marked `#[builtin(global_invocation_id)]`, `#[storage(0, 1)]`,
 /// `#[uniform(0, 2)]` or `#[workgroup]`; fields of structures may state `#[domain(0.0..=1e6)]`.
+///
+/// Whatever is outside the language is refused here, all of it at once.
+/// Two mistakes are rustc's to report, in its own words: "expected type, found function `f`" (or
+/// "constant") says that `f` is used in a kernel and not itself under `#[kernel]`.
 #[proc_macro_attribute]
 pub fn kernel(attribute: TokenStream, item: TokenStream) -> TokenStream {
     item::expand(attribute.into(), item.into()).into()

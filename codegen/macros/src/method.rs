@@ -12,7 +12,6 @@ const ALLOWED: &[&str] = &[
     "cross",
     "dot",
     "extend",
-    "is_negative_bitmask",
     "length",
     "length_squared",
     "len",
@@ -31,7 +30,7 @@ pub(crate) fn allowed(name: &str) -> bool {
     ALLOWED.contains(&name) || is_swizzle(name)
 }
 
-/// `xy`, `zyx`, `xxxx`: at least two components, none assigned twice matters not.
+/// `xy`, `zyx`, `xxxx`: two to four components.
 fn is_swizzle(name: &str) -> bool {
     (2..=4).contains(&name.len()) && name.chars().all(|c| "xyzw".contains(c))
 }
@@ -67,4 +66,52 @@ pub(crate) fn instead(name: &str) -> String {
         _ => return "write a free function under `#[kernel]` and call that".to_owned(),
     };
     format!("write the function `{function}(..)` of the prelude, whose bits are the same on every machine")
+}
+
+const NO_ENUMERATIONS: &str = "kernels have no enumerations; use `u32` constants and `match`";
+
+/// What to write instead of `Type::name(..)`, if that is not part of the language.
+pub(crate) fn associated_function(ty: &str, name: &str) -> Option<String> {
+    match name {
+        "new" | "splat" | "from_cols" if is_glam(ty) => None,
+        "from_bits" if ty == "f32" => None,
+        _ if is_glam(ty) && !allowed(name) => {
+            Some("vectors are built by `new` and `splat`, matrices by `from_cols`".to_owned())
+        }
+        "from" | "try_from" => Some(format!("write `x as {ty}`")),
+        _ if allowed(name) => Some(format!("write it as a method, `x.{name}(..)`")),
+        _ if is_primitive(ty) => Some(instead(name)),
+        _ if name.starts_with(char::is_uppercase) => Some(NO_ENUMERATIONS.to_owned()),
+        "new" | "default" => Some(format!("write `{ty} {{ field: value, .. }}`")),
+        _ => Some("write a free function under `#[kernel]` and call that".to_owned()),
+    }
+}
+
+/// What to write instead of `Type::NAME`, if that is not part of the language.
+pub(crate) fn associated_constant(ty: &str, name: &str) -> Option<String> {
+    match name {
+        "INFINITY" | "NEG_INFINITY" | "NAN" => {
+            Some("no shading language has a literal for it; test for the case before it arises".to_owned())
+        }
+        "MAX" | "MIN" if is_primitive(ty) => None,
+        "MIN_POSITIVE" | "EPSILON" if ty == "f32" => None,
+        "ZERO" | "ONE" | "NEG_ONE" | "X" | "Y" | "Z" | "W" | "NEG_X" | "NEG_Y" | "NEG_Z" | "NEG_W"
+        | "IDENTITY"
+            if is_glam(ty) =>
+        {
+            None
+        }
+        _ if is_glam(ty) || is_primitive(ty) => Some("write its value out".to_owned()),
+        _ if name.contains(char::is_lowercase) => Some(NO_ENUMERATIONS.to_owned()),
+        _ => Some("declare a `#[kernel] const` outside of the type".to_owned()),
+    }
+}
+
+fn is_primitive(ty: &str) -> bool {
+    matches!(ty, "f32" | "i32" | "u32" | "bool")
+}
+
+fn is_glam(ty: &str) -> bool {
+    let kind = ty.trim_end_matches(['2', '3', '4']);
+    kind.len() + 1 == ty.len() && matches!(kind, "Vec" | "IVec" | "UVec" | "BVec" | "Mat")
 }

@@ -28,6 +28,10 @@ fn reason(name: &str) -> Option<String> {
     }
     WORDS.lines().filter(|l| !l.starts_with('#')).find_map(|line| {
         let (word, languages) = line.split_once(' ')?;
-        (word == name).then(|| format!("it is a word of {languages}"))
+        let is_taken = match word.strip_prefix('~') {
+            Some(word) => word.eq_ignore_ascii_case(name),
+            None => word == name,
+        };
+        is_taken.then(|| format!("it is a word of {languages}"))
     })
 }

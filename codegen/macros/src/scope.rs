@@ -24,6 +24,13 @@ impl Scope {
         number
     }
 
+    /// Declares `_`, which nothing can name.
+    pub(crate) fn declare_unnamed(&mut self, at: &Ident) -> u32 {
+        let number = self.declare(at, false);
+        self.visible.pop();
+        number
+    }
+
     /// Declares a parameter that stands for memory (`&T` or `&mut T`), so that `*name` is that memory.
     pub(crate) fn declare_binding(&mut self, name: &Ident) -> u32 {
         let number = self.declare(name, false);

@@ -33,7 +33,7 @@ pub(crate) fn source(item: &dyn ToTokens) -> TokenStream {
     let (first, last) = ends(item);
     let (first, last) = (first.unwrap(), last.unwrap());
     let file = first.file();
-    let (from, to) = (first.start().line(), last.end().line());
+    let (from, to) = (first_line(first), last.end().line());
     let text = first
         .local_file()
         .and_then(|path| std::fs::read_to_string(path).ok())
@@ -44,6 +44,14 @@ pub(crate) fn source(item: &dyn ToTokens) -> TokenStream {
         .unwrap_or_default();
     let line = from as u32;
     quote!(::lobe_codegen::def::Source { file: #file, line: #line, text: #text })
+}
+
+/// The line at which an item begins, `#[kernel(..)]` included: its arguments have spans too.
+fn first_line(first: proc_macro::Span) -> usize {
+    let attribute = Span::call_site().unwrap();
+    let above = attribute.start().line();
+    let line = first.start().line();
+    if attribute.file() == first.file() && above > 0 { line.min(above) } else { line }
 }
 
 /// The lines of the doc comment among `attributes`, as a slice of strings.

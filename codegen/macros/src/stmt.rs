@@ -45,7 +45,10 @@ impl Translator<'_> {
             Stmt::Local(local) => Some(self.local(local)),
             Stmt::Expr(e, _) => Some(self.expr_stmt(e)),
             Stmt::Item(item) => {
-                let instead = "move it out of the function and mark it `#[kernel]`";
+                let instead = match item {
+                    syn::Item::Use(_) => "move it to the top of the module",
+                    _ => "move it out of the function and mark it `#[kernel]`",
+                };
                 self.errors.refuse(item, "an item inside a function", instead);
                 None
             }
@@ -80,24 +83,25 @@ impl Translator<'_> {
             }
             None => quote!(None),
         };
-        let local_number = match self.binding(pattern) {
-            Some((name, mutable)) => self.scope.declare(&name, mutable),
-            None => 0,
-        };
+        let local_number = self.declared(pattern);
         self.finish(quote!(Let { local: #local_number, ty: #ty, init: #init }), local)
     }
 
-    /// The name that a pattern binds, and whether it is `mut`; others are refused.
-    pub(crate) fn binding(&mut self, pattern: &Pat) -> Option<(Ident, bool)> {
+    /// The local that a pattern declares; patterns that bind more than one name are refused.
+    fn declared(&mut self, pattern: &Pat) -> u32 {
         match pattern {
             Pat::Ident(p) if p.by_ref.is_none() && p.subpat.is_none() => {
-                Some((p.ident.clone(), p.mutability.is_some()))
+                self.scope.declare(&p.ident, p.mutability.is_some())
             }
-            Pat::Wild(p) => Some((Ident::new("unused", p.underscore_token.span), false)),
+            Pat::Ident(p) if p.by_ref.is_some() => {
+                self.errors.refuse(pattern, "a `ref` binding", "kernel values are copied; leave `ref` out");
+                0
+            }
+            Pat::Wild(p) => self.scope.declare_unnamed(&Ident::new("unused", p.underscore_token.span)),
             other => {
                 let instead = "bind one name and take its fields with `.`";
                 self.errors.refuse(other, "a destructuring pattern", instead);
-                None
+                0
             }
         }
     }
@@ -154,16 +158,17 @@ impl Translator<'_> {
     fn for_loop(&mut self, f: &syn::ExprForLoop) -> TokenStream {
         self.unlabelled(f.label.as_ref());
         let Expr::Range(syn::ExprRange { start: Some(start), end: Some(end), limits, .. }) = &*f.expr else {
-            self.errors.refuse(&f.expr, "iterating over this", "write `for i in start..end` and index");
+            self.errors.refuse(
+                &f.expr,
+                "`for` over anything but a range `a..b`",
+                "write `for i in start..end` and index",
+            );
             return quote!(Break);
         };
         let (start, end) = (self.expr(start), self.expr(end));
         let inclusive = matches!(limits, syn::RangeLimits::Closed(_));
         let mark = self.scope.enter();
-        let local = match self.binding(&f.pat) {
-            Some((name, mutable)) => self.scope.declare(&name, mutable),
-            None => 0,
-        };
+        let local = self.declared(&f.pat);
         let body = self.block(&f.body);
         self.scope.leave(mark);
         quote!(For { local: #local, start: #start, end: #end, inclusive: #inclusive, body: #body })

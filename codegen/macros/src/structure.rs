@@ -4,7 +4,7 @@ use crate::attribute::{self, DomainArgument};
 use crate::errors::Errors;
 use crate::{names, source, types};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::{Fields, ItemStruct};
 
 /// The structure, without the attributes that only this macro knows, and its definition.
@@ -16,7 +16,8 @@ pub(crate) fn expand(mut item: ItemStruct, errors: &mut Errors) -> (TokenStream,
         errors.refuse(&item.generics, "a generic structure", "write a structure for each element type");
     }
     let Fields::Named(fields) = &mut item.fields else {
-        errors.refuse(&item.fields, "a structure without named fields", "name each field");
+        let at: &dyn ToTokens = if item.fields.is_empty() { &item.ident } else { &item.fields };
+        errors.refuse(at, "a structure without named fields", "name each field");
         return (quote!(#item), TokenStream::new());
     };
     let mut definitions = Vec::new();
@@ -26,8 +27,8 @@ pub(crate) fn expand(mut item: ItemStruct, errors: &mut Errors) -> (TokenStream,
         let domain = field_domain(&mut field.attrs, errors);
         let Some(ident) = &field.ident else { continue };
         names::check(ident, errors);
-        if types::is_ident(&field.ty, "bool") {
-            errors.refuse(&field.ty, "a `bool` field", "it has no layout in a buffer; use `u32`");
+        if types::has_bool(&field.ty) {
+            errors.refuse(&field.ty, "a field of `bool`", "it has no layout in a buffer; use `u32`");
         }
         let (name, docs) = (crate::scope::plain(ident), source::docs(&field.attrs));
         let ty = types::type_def(&field.ty, errors);

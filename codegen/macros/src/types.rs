@@ -11,6 +11,23 @@ pub(crate) fn type_def(ty: &Type, errors: &mut Errors) -> TokenStream {
     quote!(<#ty as ::lobe_codegen::def::KernelType>::TYPE)
 }
 
+/// A `TypeDef` for the memory behind a binding, which may be a slice.
+pub(crate) fn memory_def(ty: &Type, errors: &mut Errors) -> TokenStream {
+    match ty {
+        Type::Slice(slice) => check(&slice.elem, errors),
+        other => check(other, errors),
+    }
+    quote!(<#ty as ::lobe_codegen::def::KernelType>::TYPE)
+}
+
+/// Whether booleans are inside.
+pub(crate) fn has_bool(ty: &Type) -> bool {
+    match ty {
+        Type::Array(array) => has_bool(&array.elem),
+        other => matches!(last_name(other).as_str(), "bool" | "BVec2" | "BVec3" | "BVec4"),
+    }
+}
+
 /// A `TypeDef` for the target of `as`, where `usize` is allowed since Rust's indices need it.
 pub(crate) fn cast_target(ty: &Type, errors: &mut Errors) -> TokenStream {
     if is_ident(ty, "usize") {
@@ -28,7 +45,11 @@ fn check(ty: &Type, errors: &mut Errors) {
     match ty {
         Type::Path(path) => check_path(path, errors),
         Type::Array(array) => check(&array.elem, errors),
-        Type::Slice(slice) => check(&slice.elem, errors),
+        Type::Slice(_) => errors.refuse(
+            ty,
+            "a slice",
+            "use an array `[T; N]`; only storage parameters of entry points have a length of their own",
+        ),
         Type::Paren(inner) => check(&inner.elem, errors),
         Type::Group(inner) => check(&inner.elem, errors),
         Type::Reference(_) => errors.refuse(
@@ -50,7 +71,8 @@ fn check(ty: &Type, errors: &mut Errors) {
 fn check_path(ty: &TypePath, errors: &mut Errors) {
     let Some(last) = ty.path.segments.last() else { return };
     if !matches!(last.arguments, syn::PathArguments::None) {
-        errors.refuse(ty, "a generic type", "write a structure for each element type");
+        let (what, instead) = generic(&last.ident.to_string());
+        errors.refuse(ty, what, instead);
         return;
     }
     let name = last.ident.to_string();
@@ -68,4 +90,29 @@ fn check_path(ty: &TypePath, errors: &mut Errors) {
         _ => return,
     };
     errors.refuse(ty, &format!("`{name}`"), instead);
+}
+
+/// What a type with arguments is called, and what to write instead.
+fn generic(name: &str) -> (&'static str, &'static str) {
+    match name {
+        "Option" | "Result" => {
+            ("an `Option` or `Result`", "return a value that stands for none, or a structure with a flag")
+        }
+        "Vec" => ("a growing vector", "use an array `[T; N]`, or storage of an entry point"),
+        "Box" | "Rc" | "Arc" => ("memory on a heap", "use the value itself"),
+        _ => ("a generic type", "write a structure for each element type"),
+    }
+}
+
+/// The last name of a type's path.
+pub(crate) fn last_name(ty: &Type) -> String {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+/// Tokens as a user would write a path.
+pub(crate) fn text(tokens: &dyn quote::ToTokens) -> String {
+    tokens.to_token_stream().to_string().replace(' ', "")
 }

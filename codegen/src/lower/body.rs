@@ -1,9 +1,11 @@
 //! One function under construction: the arena, emission, blocks, locals.
 
+use super::contract;
 use super::error::{Fail, LowerError, Lowered};
-use super::module::{ExactLiteral, ModuleBuilder, Spans, builtin};
-use super::value::{Lit, Place, Repr, Sink, Value};
-use crate::def::{Binding, FunctionDef, Span, TypeDef};
+use super::module::{ExactLiteral, ModuleBuilder, builtin};
+use super::source::Spans;
+use super::value::{Lit, Place, Repr, Sink, U32, Value};
+use crate::def::{Binding, Builtin, FunctionDef, Param, Scalar, Span, TypeDef};
 use naga::{Expression, Handle, Statement};
 
 /// What a local stands for.
@@ -32,6 +34,8 @@ pub(super) struct BodyBuilder<'m> {
     /// Expressions appended and not yet in an `Emit` statement: first and last.
     pending: Option<(Handle<Expression>, Handle<Expression>)>,
     exact: Vec<ExactLiteral>,
+    /// Variables whose type is the default of an integer without suffix.
+    pub(super) assumed: Vec<&'static str>,
     /// An error of a callee, which has its own source.
     foreign: Option<LowerError>,
 }
@@ -72,6 +76,7 @@ impl<'m> BodyBuilder<'m> {
             blocks: vec![Open::default()],
             pending: None,
             exact: Vec::new(),
+            assumed: Vec::new(),
             foreign: None,
         };
         match builder.whole() {
@@ -81,6 +86,8 @@ impl<'m> BodyBuilder<'m> {
     }
 
     fn whole(&mut self) -> Lowered<()> {
+        self.def.params.iter().try_for_each(check_builtin)?;
+        contract::check(self.def)?;
         self.parameters();
         if let Some(ret) = &self.def.ret {
             let ty = self.modules.ty(ret);
@@ -91,12 +98,29 @@ impl<'m> BodyBuilder<'m> {
         if self.def.ret.is_some() && !self.ended() {
             return Err(Fail::new(self.def.span, "a path through this function returns no value"));
         }
+        if let Some(ret) = &self.def.ret {
+            self.return_after_loops(ret);
+        }
         Ok(())
+    }
+
+    /// A loop that only `return` leaves ends the function for Rust; naga's WGSL front end, and HLSL
+    /// compilers, want a `return` below it that is never reached.
+    fn return_after_loops(&mut self, ret: &TypeDef) {
+        self.flush();
+        let Some(mut open) = self.blocks.pop() else { return };
+        if ends_in_loop(&open.block) {
+            let zero = Expression::ZeroValue(self.modules.ty(ret));
+            let zero = self.append(zero, self.def.span);
+            let span = self.spans.naga(self.def.span);
+            append_return(&mut open.block, zero, span);
+        }
+        self.blocks.push(open);
     }
 
     fn parameters(&mut self) {
         for (i, param) in self.def.params.iter().enumerate() {
-            let local = match self.modules.global(param) {
+            let local = match self.modules.global(self.def, param) {
                 Some(global) => {
                     let pointer = self.append(Expression::GlobalVariable(global), param.span);
                     Local::Memory(Place { pointer, ty: param.ty })
@@ -249,7 +273,8 @@ impl<'m> BodyBuilder<'m> {
     pub(super) fn variable(&mut self, name: Option<&str>, ty: &TypeDef) -> Place {
         let naga_ty = self.modules.ty(ty);
         let variable = naga::LocalVariable { name: name.map(str::to_owned), ty: naga_ty, init: None };
-        let handle = self.function.local_variables.append(variable, naga::Span::UNDEFINED);
+        let span = self.spans.naga(self.def.span);
+        let handle = self.function.local_variables.append(variable, span);
         let pointer = self.append(Expression::LocalVariable(handle), self.def.span);
         Place { pointer, ty: *ty }
     }
@@ -258,6 +283,9 @@ impl<'m> BodyBuilder<'m> {
     pub(super) fn bind(&mut self, local: u32, value: Value, span: Span) {
         let declared = &self.def.locals[local as usize];
         let bound = if declared.mutable || matches!(value.ty, TypeDef::Array(..)) {
+            if value.is_undecided() {
+                self.assumed.push(declared.name);
+            }
             let place = self.variable(Some(declared.name), &value.ty);
             self.store(place, value, span);
             Local::Memory(place)
@@ -275,5 +303,50 @@ impl<'m> BodyBuilder<'m> {
         if !is_item && !self.function.named_expressions.contains_key(&handle) {
             self.function.named_expressions.insert(handle, name.to_owned());
         }
+    }
+}
+
+/// Whether a built-in input has the type that it is declared with.
+fn check_builtin(param: &Param) -> Lowered<()> {
+    let Binding::Builtin(b) = param.binding else { return Ok(()) };
+    let (name, ty) = match b {
+        Builtin::GlobalInvocationId => ("global_invocation_id", UVEC3),
+        Builtin::LocalInvocationId => ("local_invocation_id", UVEC3),
+        Builtin::LocalInvocationIndex => ("local_invocation_index", U32),
+        Builtin::WorkgroupId => ("workgroup_id", UVEC3),
+        Builtin::NumWorkgroups => ("num_workgroups", UVEC3),
+    };
+    if param.ty == ty {
+        return Ok(());
+    }
+    Err(Fail::new(param.span, format!("`{name}` is a {ty}, this parameter a {}", param.ty)))
+}
+
+const UVEC3: TypeDef = TypeDef::Vector(3, Scalar::U32);
+
+/// Whether control comes to the end of `block` inside a loop, on some path.
+fn ends_in_loop(block: &naga::Block) -> bool {
+    match block.last() {
+        Some(Statement::Loop { .. }) => true,
+        Some(Statement::If { accept, reject, .. }) => ends_in_loop(accept) || ends_in_loop(reject),
+        Some(Statement::Switch { cases, .. }) => cases.iter().any(|c| ends_in_loop(&c.body)),
+        Some(Statement::Block(block)) => ends_in_loop(block),
+        _ => false,
+    }
+}
+
+/// Puts `return value` below each loop that [`ends_in_loop`] finds.
+fn append_return(block: &mut naga::Block, value: Handle<Expression>, span: naga::Span) {
+    match block.last_mut() {
+        Some(Statement::Loop { .. }) => block.push(Statement::Return { value: Some(value) }, span),
+        Some(Statement::If { accept, reject, .. }) => {
+            append_return(accept, value, span);
+            append_return(reject, value, span);
+        }
+        Some(Statement::Switch { cases, .. }) => {
+            cases.iter_mut().for_each(|c| append_return(&mut c.body, value, span));
+        }
+        Some(Statement::Block(block)) => append_return(block, value, span),
+        _ => {}
     }
 }

@@ -42,8 +42,12 @@ impl Fail {
     }
 
     pub(super) fn in_function(self, def: &'static FunctionDef) -> LowerError {
-        let rendered = render(&self.message, &def.source, &[(self.span, String::new())]);
-        LowerError::Kernel { kernel: def.name, message: self.message, rendered }
+        self.in_source(def.name, &def.source)
+    }
+
+    pub(super) fn in_source(self, kernel: &'static str, source: &Source) -> LowerError {
+        let rendered = render(&self.message, source, &[(self.span, String::new())]);
+        LowerError::Kernel { kernel, message: self.message, rendered }
     }
 }
 

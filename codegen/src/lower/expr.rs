@@ -3,10 +3,14 @@
 use super::body::{BodyBuilder, Local};
 use super::error::{Fail, Lowered};
 use super::module::element;
+use super::operator::parts;
 use super::stmt::branches;
 use super::value::{F32, I32, Lit, Place, Repr, Sink, U32, Value};
-use crate::def::{Callee, Expr, ExprKind, Scalar, Span, StructDef, TypeDef};
+use crate::def::{Callee, Expr, ExprKind, Scalar, Span, StructDef, TypeDef, UnaryOp};
 use naga::Expression;
+
+/// The one `i32` literal that is in range only under a minus sign.
+const MIN_I32: u64 = 1 << 31;
 
 impl BodyBuilder<'_> {
     /// The value of `e`.
@@ -25,7 +29,7 @@ impl BodyBuilder<'_> {
             return self.branching(e, expected);
         }
         match &e.kind {
-            ExprKind::Float(value) => Ok(Value::float(*value)),
+            ExprKind::Float(value, exact) => Ok(Value::literal(Lit::F32(*value, *exact))),
             ExprKind::Int(value, scalar) => int(*value, *scalar, e.span),
             ExprKind::Bool(value) => Ok(Value::literal(Lit::Bool(*value))),
             ExprKind::Local(_) | ExprKind::Field(..) | ExprKind::Index(..) => self.read(e),
@@ -35,6 +39,10 @@ impl BodyBuilder<'_> {
                 Ok(self.value(def.ty, Expression::Constant(handle), e.span))
             }
             ExprKind::TypeConstant(ty, name) => self.type_constant(ty, name, e.span),
+            ExprKind::Unary(
+                UnaryOp::Negate,
+                Expr { kind: ExprKind::Int(MIN_I32, Some(Scalar::I32)), .. },
+            ) => Ok(Value::literal(Lit::I32(i32::MIN))),
             ExprKind::Unary(op, inner) => {
                 let value = self.expr_expecting(inner, expected)?;
                 self.unary(*op, value, e.span)
@@ -86,7 +94,8 @@ impl BodyBuilder<'_> {
         {
             return self.expr_expecting(value, expected);
         }
-        let mut sink = Sink::Variable { name: None, expected: expected.copied(), place: None };
+        let expected = expected.copied().or_else(|| self.peek(e));
+        let mut sink = Sink::Variable { name: None, expected, place: None };
         self.expr_into(e, &mut sink)?;
         match sink {
             Sink::Variable { place: Some(place), .. } => Ok(self.load(place, e.span)),
@@ -100,7 +109,42 @@ impl BodyBuilder<'_> {
         if value.ty == *ty {
             return Ok(value);
         }
-        Err(Fail::new(span, format!("expected {ty}, found {}", value.ty)))
+        Err(Fail::new(span, self.mismatch("expected", ", found", ty, &value.ty)))
+    }
+
+    /// `words a between b`, and the way out when an integer's type was assumed.
+    pub(super) fn mismatch(&self, words: &str, between: &str, a: &TypeDef, b: &TypeDef) -> String {
+        let space = if between.starts_with(',') { "" } else { " " };
+        let message = format!("{words} {a}{space}{between} {b}");
+        let kinds = [parts(a).map(|(_, s)| s), parts(b).map(|(_, s)| s)];
+        if kinds != [Some(Scalar::I32), Some(Scalar::U32)] && kinds != [Some(Scalar::U32), Some(Scalar::I32)]
+        {
+            return message;
+        }
+        match &self.assumed[..] {
+            [] => format!("{message}; an integer without suffix is taken as i32 here: write `1u32`"),
+            names => format!(
+                "{message}; `{}` was taken as i32, since its integer has no suffix: write `1u32`, or state \
+                 the type in its `let`",
+                names.join("`, `")
+            ),
+        }
+    }
+
+    /// The type of the memory that `e` names, before any of it is evaluated.
+    pub(super) fn place_type(&self, e: &Expr) -> Lowered<Option<TypeDef>> {
+        Ok(match &e.kind {
+            ExprKind::Local(local) => match self.locals[*local as usize] {
+                Local::Memory(place) => Some(place.ty),
+                Local::Value(_) | Local::Unset => None,
+            },
+            ExprKind::Field(base, name) => match self.place_type(base)? {
+                Some(ty) => Some(member(&ty, name, e.span)?.1),
+                None => None,
+            },
+            ExprKind::Index(base, _) => self.place_type(base)?.map(|ty| element(&ty)),
+            _ => None,
+        })
     }
 
     // ---- places

@@ -3,6 +3,7 @@
 use super::body::BodyBuilder;
 use super::error::{Fail, Lowered};
 use super::expr::float_of;
+use super::fold;
 use super::module::{element, vector_size};
 use super::operator::parts;
 use super::value::{F32, I32, Lit, U32, Value};
@@ -66,10 +67,16 @@ impl BodyBuilder<'_> {
             ("recip", [], Some((_, Scalar::F32))) => {
                 self.binary(BinaryOp::Divide, Value::float(1.0), this, span)
             }
-            ("to_bits", [], Some((1, Scalar::F32))) => Ok(self.convert(this, Scalar::U32, None, span)),
-            ("wrapping_add", [other], _) => self.binary(BinaryOp::Add, this, *other, span),
-            ("wrapping_sub", [other], _) => self.binary(BinaryOp::Subtract, this, *other, span),
-            ("wrapping_mul", [other], _) => self.binary(BinaryOp::Multiply, this, *other, span),
+            ("to_bits", [], Some((1, Scalar::F32))) => self.reinterpret(this, Scalar::U32, span),
+            ("wrapping_add", [other], Some((1, Scalar::I32 | Scalar::U32))) => {
+                self.binary(BinaryOp::Add, this.decide(&I32), *other, span)
+            }
+            ("wrapping_sub", [other], Some((1, Scalar::I32 | Scalar::U32))) => {
+                self.binary(BinaryOp::Subtract, this.decide(&I32), *other, span)
+            }
+            ("wrapping_mul", [other], Some((1, Scalar::I32 | Scalar::U32))) => {
+                self.binary(BinaryOp::Multiply, this.decide(&I32), *other, span)
+            }
             ("extend", [other], Some((n @ 2..=3, s))) if other.ty == TypeDef::Scalar(s) => {
                 self.compose(TypeDef::Vector(n + 1, s), &[this, *other], span)
             }
@@ -83,12 +90,19 @@ impl BodyBuilder<'_> {
 
     /// The length of an array, or of a storage slice when it runs.
     fn len(&mut self, receiver: &'static Expr, span: Span) -> Lowered<Value> {
+        if let Some(TypeDef::Array(_, n)) = self.peek(receiver) {
+            return Ok(Value::literal(Lit::U32(n)));
+        }
         let place = self.place(receiver)?;
         match place.map(|p| (p.pointer, p.ty)) {
             Some((pointer, TypeDef::Slice(_))) => Ok(self.value(U32, Expression::ArrayLength(pointer), span)),
-            Some((_, TypeDef::Array(_, n))) => Ok(Value::literal(Lit::U32(n))),
             _ => Err(Fail::new(span, "only arrays and storage slices have a length")),
         }
+    }
+
+    fn reinterpret(&mut self, value: Value, to: Scalar, span: Span) -> Lowered<Value> {
+        let folded = fold::reinterpret(&value, to).map_err(|message| Fail::new(span, message))?;
+        Ok(folded.unwrap_or_else(|| self.convert(value, to, None, span)))
     }
 
     fn swizzle(&mut self, this: Value, name: &str, span: Span) -> Lowered<Value> {
@@ -134,9 +148,7 @@ impl BodyBuilder<'_> {
             ("from_cols", TypeDef::Matrix(c, _), values) if values.len() == usize::from(c) => {
                 self.compose(*ty, values, span)
             }
-            ("from_bits", TypeDef::Scalar(Scalar::F32), [bits]) => {
-                Ok(self.convert(*bits, Scalar::F32, None, span))
-            }
+            ("from_bits", TypeDef::Scalar(Scalar::F32), [bits]) => self.reinterpret(*bits, Scalar::F32, span),
             _ => {
                 let message = format!(
                     "no `{ty}::{name}` with {} arguments here: vectors have `new` and `splat`, matrices \

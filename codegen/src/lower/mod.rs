@@ -3,8 +3,8 @@
 //! [`lower`] takes kernels, brings along all that they call, and gives a [`ValidModule`] whose
 //! names are the declared ones.
 //! The rooms, top down: `module` (functions, types, constants, each once), `body` (one function
-//! under construction), `stmt` and `expr` (the language), `operator`, `call` and `method` (typing
-//! of operations).
+//! under construction), `stmt`, `branch`, `loops` and `expr` (the language), `operator`, `call` and
+//! `method` (typing of operations), `fold` and `hint` (literals), `source` (the way back to Rust lines).
 //!
 //! naga lets a builder make mistakes that its validator does not see (a value used outside the block
 //! that computes it, a path without return).
@@ -12,13 +12,19 @@
 //! a branch goes through a variable, and [`crate::validate`] checks both once more.
 
 mod body;
+mod branch;
 mod call;
+mod contract;
 mod error;
 mod expr;
+mod fold;
+mod hint;
 mod layout;
+mod loops;
 mod method;
 mod module;
 mod operator;
+mod source;
 mod stmt;
 mod value;
 

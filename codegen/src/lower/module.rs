@@ -1,14 +1,16 @@
 //! Functions, types and constants of the module, each lowered once.
 
 use super::body::BodyBuilder;
-use super::error::{Fail, LowerError, Lowered, byte_range, render};
+use super::error::{Fail, LowerError, Lowered};
 use super::layout;
+use super::source::SourceMap;
 use super::value::Lit;
 use crate::def::{
     Binding, Builtin, ConstantDef, ConstantValue, FunctionDef, Param, Scalar, Source, Span, StructDef,
     TypeDef,
 };
 use crate::module::{Meta, Scope, ValidModule};
+use crate::validate::validate;
 use naga::{Handle, TypeInner};
 use std::collections::HashMap;
 
@@ -20,49 +22,15 @@ pub(super) struct ModuleBuilder {
     functions: HashMap<*const FunctionDef, Handle<naga::Function>>,
     structs: HashMap<*const StructDef, Handle<naga::Type>>,
     constants: HashMap<*const ConstantDef, Handle<naga::Constant>>,
-    /// Names taken, with the place of the definition.
-    names: HashMap<&'static str, String>,
+    /// Names taken: the address of the definition, and where it stands.
+    names: HashMap<&'static str, (usize, String)>,
+    /// Two definitions of one name, found where no error can be returned.
+    clash: Option<LowerError>,
+    entries: Vec<*const FunctionDef>,
     /// Functions whose bodies are being lowered, outermost first.
     open: Vec<&'static FunctionDef>,
     docs: naga::DocComments,
     sources: SourceMap,
-}
-
-/// Gives each function a stretch of one virtual text, so that a naga span finds its way back.
-#[derive(Default)]
-struct SourceMap {
-    /// First offset and definition; offsets start at 1, since naga takes 0..0 for "unknown".
-    stretches: Vec<(u32, &'static FunctionDef)>,
-    end: u32,
-}
-
-impl SourceMap {
-    fn add(&mut self, def: &'static FunctionDef) -> u32 {
-        let base = self.end.max(1);
-        self.end = base + def.source.text.len() as u32 + 1;
-        self.stretches.push((base, def));
-        base
-    }
-
-    /// The definition and the range in its text.
-    fn find(&self, span: naga::Span) -> Option<(&'static FunctionDef, std::ops::Range<usize>)> {
-        let range = span.to_range()?;
-        let (base, def) = self.stretches.iter().rev().find(|(base, _)| *base as usize <= range.start)?;
-        Some((def, range.start - *base as usize..range.end - *base as usize))
-    }
-}
-
-/// Turns spans of one function into naga's.
-pub(super) struct Spans {
-    base: u32,
-    source: &'static Source,
-}
-
-impl Spans {
-    pub(super) fn naga(&self, span: Span) -> naga::Span {
-        let range = byte_range(self.source, &span);
-        naga::Span::new(self.base + range.start as u32, self.base + range.end as u32)
-    }
 }
 
 impl ModuleBuilder {
@@ -83,7 +51,8 @@ impl ModuleBuilder {
             return Ok(*handle);
         }
         let (function, exact) = self.body(def)?;
-        let handle = self.module.functions.append(function, naga::Span::UNDEFINED);
+        let span = self.sources.spans(&def.source).naga(def.span);
+        let handle = self.module.functions.append(function, span);
         self.functions.insert(def, handle);
         self.meta.definitions.insert(handle, def);
         self.meta.exact.extend(exact.into_iter().map(|(e, v)| ((Scope::Function(handle), e), v)));
@@ -97,6 +66,10 @@ impl ModuleBuilder {
     }
 
     fn entry_point(&mut self, def: &'static FunctionDef, workgroup_size: [u32; 3]) -> Result<(), LowerError> {
+        if self.entries.contains(&std::ptr::from_ref(def)) {
+            return Ok(());
+        }
+        self.entries.push(def);
         let (function, exact) = self.body(def)?;
         let index = self.module.entry_points.len();
         self.module.entry_points.push(naga::EntryPoint {
@@ -125,23 +98,34 @@ impl ModuleBuilder {
                 format!("recursion: {}; no shading language allows it, write a loop", chain.join(" -> "));
             return Err(Fail::new(def.span, message).in_function(def));
         }
-        self.claim(def.name, &def.source).map_err(|message| Fail::new(def.span, message).in_function(def))?;
+        self.claim(def.name, address(def), &def.source)
+            .map_err(|message| Fail::new(def.span, message).in_function(def))?;
         self.open.push(def);
-        let spans = Spans { base: self.sources.add(def), source: &def.source };
+        self.sources.name(def);
+        let spans = self.sources.spans(&def.source);
         let lowered = BodyBuilder::lower(self, def, spans);
         self.open.pop();
         lowered
     }
 
     /// Takes a name for a definition; two may not share one.
-    fn claim(&mut self, name: &'static str, source: &Source) -> Result<(), String> {
+    fn claim(&mut self, name: &'static str, address: usize, source: &Source) -> Result<(), String> {
         let place = format!("{}:{}", source.file, source.line);
-        match self.names.insert(name, place.clone()) {
-            Some(other) if other != place => {
-                Err(format!("two kernel items of one module are called `{name}`: {place} and {other}"))
+        match self.names.get(name) {
+            Some((other, _)) if *other == address => Ok(()),
+            Some((_, other)) => {
+                Err(format!("two items of one module are called `{name}`, here and at {other}: rename one"))
             }
-            _ => Ok(()),
+            None => {
+                self.names.insert(name, (address, place));
+                Ok(())
+            }
         }
+    }
+
+    /// Notes the first clash of names.
+    fn note_clash(&mut self, item: &'static str, source: &'static Source, span: Span, message: String) {
+        self.clash.get_or_insert_with(|| Fail::new(span, message).in_source(item, source));
     }
 
     /// The naga type of `ty`.
@@ -176,6 +160,9 @@ impl ModuleBuilder {
         if let Some(handle) = self.structs.get(&std::ptr::from_ref(def)) {
             return *handle;
         }
+        if let Err(message) = self.claim(def.name, address(def), &def.source) {
+            self.note_clash(def.name, &def.source, def.span, message);
+        }
         let (offsets, whole) = layout::members(def);
         let members = def
             .fields
@@ -190,7 +177,8 @@ impl ModuleBuilder {
             .collect();
         let inner = TypeInner::Struct { members, span: whole.size };
         let ty = naga::Type { name: Some(def.name.to_owned()), inner };
-        let handle = self.module.types.insert(ty, naga::Span::UNDEFINED);
+        let span = self.sources.spans(&def.source).naga(def.span);
+        let handle = self.module.types.insert(ty, span);
         self.structs.insert(def, handle);
         if !def.docs.is_empty() {
             self.docs.types.insert(handle, owned(def.docs));
@@ -206,14 +194,19 @@ impl ModuleBuilder {
         if let Some(handle) = self.constants.get(&std::ptr::from_ref(def)) {
             return Ok(*handle);
         }
-        self.claim(def.name, &def.source).map_err(|message| Fail::new(def.span, message))?;
+        if let Err(message) = self.claim(def.name, address(def), &def.source) {
+            self.note_clash(def.name, &def.source, def.span, message);
+        }
         let ty = self.ty(&def.ty);
         let init = self.constant_value(def, &def.ty, &def.value)?;
-        if let Some(exact) = def.exact {
+        if let (Some(exact), ConstantValue::F32(value)) = (def.exact, def.value)
+            && f64::from(value) != exact
+        {
             self.meta.exact.insert((Scope::Global, init), exact);
         }
         let constant = naga::Constant { name: Some(def.name.to_owned()), ty, init };
-        let handle = self.module.constants.append(constant, naga::Span::UNDEFINED);
+        let span = self.sources.spans(&def.source).naga(def.span);
+        let handle = self.module.constants.append(constant, span);
         self.constants.insert(def, handle);
         if !def.docs.is_empty() {
             self.docs.constants.insert(handle, owned(def.docs));
@@ -250,12 +243,18 @@ impl ModuleBuilder {
     }
 
     /// The global variable behind a parameter of an entry point.
-    pub(super) fn global(&mut self, param: &'static Param) -> Option<Handle<naga::GlobalVariable>> {
+    pub(super) fn global(
+        &mut self,
+        def: &'static FunctionDef,
+        param: &'static Param,
+    ) -> Option<Handle<naga::GlobalVariable>> {
         let (space, binding) = match param.binding {
             Binding::Value | Binding::Builtin(_) => return None,
             Binding::Storage { group, binding, writable } => {
                 let load = naga::StorageAccess::LOAD;
-                let access = if writable { load | naga::StorageAccess::STORE } else { load };
+                // Atomics change through shared references.
+                let access =
+                    if writable || has_atomic(&param.ty) { load | naga::StorageAccess::STORE } else { load };
                 (naga::AddressSpace::Storage { access }, Some(naga::ResourceBinding { group, binding }))
             }
             Binding::Uniform { group, binding } => {
@@ -268,9 +267,15 @@ impl ModuleBuilder {
             .module
             .global_variables
             .iter()
-            .find(|(_, g)| binding.is_some() && g.binding == binding && g.ty == ty && g.space == space)
+            .find(|(_, g)| {
+                let is_same = g.binding == binding && g.ty == ty && g.space == space;
+                binding.is_some() && is_same && g.name.as_deref() == Some(param.name)
+            })
             .map(|(handle, _)| handle);
         Some(existing.unwrap_or_else(|| {
+            if let Err(message) = self.claim(param.name, address(param), &def.source) {
+                self.note_clash(def.name, &def.source, param.span, message);
+            }
             let name = Some(param.name.to_owned());
             let global = naga::GlobalVariable {
                 name,
@@ -280,58 +285,38 @@ impl ModuleBuilder {
                 init: None,
                 memory_decorations: Default::default(),
             };
-            self.module.global_variables.append(global, naga::Span::UNDEFINED)
+            let span = self.sources.spans(&def.source).naga(param.span);
+            self.module.global_variables.append(global, span)
         }))
     }
 
     /// Validates.
     pub(super) fn finish(mut self) -> Result<ValidModule, LowerError> {
+        if let Some(clash) = self.clash {
+            return Err(clash);
+        }
         self.module.doc_comments = Some(Box::new(std::mem::take(&mut self.docs)));
         let Self { module, meta, sources, .. } = self;
-        crate::validate::validate(module, meta).map_err(|error| sources.explain(&error))
+        validate(module, meta).map_err(|error| sources.explain(&error))
     }
-}
-
-impl SourceMap {
-    /// A validation error at the Rust lines that it points at.
-    fn explain(&self, error: &crate::validate::ValidateError) -> LowerError {
-        let message = error.to_string();
-        let mut found: Vec<(&'static FunctionDef, Span, String)> = Vec::new();
-        for (span, label) in error.spans() {
-            if let Some((def, range)) = self.find(span) {
-                found.push((def, span_of(&def.source, range), label));
-            }
-        }
-        // The innermost label says most; it is the last one with a source.
-        let rendered = match found.last() {
-            Some((def, _, _)) => {
-                let labels: Vec<_> = found
-                    .iter()
-                    .rev()
-                    .filter(|(d, ..)| std::ptr::eq(*d, *def))
-                    .map(|(_, span, label)| (*span, label.clone()))
-                    .collect();
-                render(&message, &def.source, &labels)
-            }
-            None => format!("error: {message}"),
-        };
-        LowerError::Invalid { message, rendered }
-    }
-}
-
-/// Lines and columns of a byte range of a source's text.
-fn span_of(source: &Source, range: std::ops::Range<usize>) -> Span {
-    let position = |offset: usize| {
-        let before = &source.text[..offset.min(source.text.len())];
-        let line = before.matches('\n').count() as u32;
-        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count() as u32);
-        (source.line + line, column)
-    };
-    Span { start: position(range.start), end: position(range.end) }
 }
 
 /// A literal's expression and the value that its decimals state.
 pub(super) type ExactLiteral = (Handle<naga::Expression>, f64);
+
+/// Address of a definition, which tells it from others of the same name.
+fn address<T>(def: &'static T) -> usize {
+    std::ptr::from_ref(def).addr()
+}
+
+fn has_atomic(ty: &TypeDef) -> bool {
+    match *ty {
+        TypeDef::Atomic(_) => true,
+        TypeDef::Array(element, _) | TypeDef::Slice(element) => has_atomic(element),
+        TypeDef::Struct(def) => def().fields.iter().any(|f| has_atomic(&f.ty)),
+        TypeDef::Scalar(_) | TypeDef::Vector(..) | TypeDef::Matrix(..) => false,
+    }
+}
 
 fn owned(docs: &[&str]) -> Vec<String> {
     docs.iter().map(|&line| line.to_owned()).collect()

@@ -2,14 +2,15 @@
 
 use super::body::BodyBuilder;
 use super::error::{Fail, Lowered};
+use super::fold;
 use super::module::{scalar, vector_size};
-use super::value::{BOOL, I32, Lit, Repr, Sink, U32, Value};
+use super::value::{BOOL, I32, Sink, U32, Value};
 use crate::def::{BinaryOp, Expr, ExprKind, Scalar, Span, TypeDef, UnaryOp};
 use naga::{BinaryOperator, Expression, RelationalFunction, Statement, UnaryOperator};
 
 impl BodyBuilder<'_> {
     pub(super) fn unary(&mut self, op: UnaryOp, value: Value, span: Span) -> Lowered<Value> {
-        if let Some(folded) = fold_unary(op, &value) {
+        if let Some(folded) = fold::unary(op, &value) {
             return Ok(folded);
         }
         let naga_op = match (op, parts(&value.ty)) {
@@ -37,6 +38,8 @@ impl BodyBuilder<'_> {
         }
         // A comparison's operands are of their own type, not of the one expected of its outcome.
         let hint = if compares(op) || is_logical { None } else { expected };
+        let peeked = if hint.is_none() && !is_logical { self.peek_pair(op, left, right) } else { None };
+        let hint = hint.or(peeked.as_ref());
         let l = self.expr_expecting(left, hint)?;
         let r = self.expr_expecting(right, (!l.is_undecided()).then_some(&l.ty).or(hint))?;
         self.binary(op, l, r, span)
@@ -65,18 +68,20 @@ impl BodyBuilder<'_> {
 
     /// `l op r` on values.
     pub(super) fn binary(&mut self, op: BinaryOp, l: Value, r: Value, span: Span) -> Lowered<Value> {
-        let (l, r) = (l.decide(&r.ty), r.decide(&l.ty));
-        if let Some(folded) = fold(op, &l, &r) {
+        let is_shift = matches!(op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight);
+        // The two sides of a shift need not have one type.
+        let (l, r) = if is_shift { (l, r) } else { (l.follow(&r), r.follow(&l)) };
+        if let Some(folded) = fold::binary(op, &l, &r).map_err(|message| Fail::new(span, message))? {
             return Ok(folded);
         }
-        if matches!(op, BinaryOp::ShiftLeft | BinaryOp::ShiftRight) {
+        if is_shift {
             return self.shift(op, l, r, span);
         }
         if compares(op) {
             return self.compare(op, l, r, span);
         }
         let Some(ty) = result(op, &l.ty, &r.ty) else {
-            return Err(Fail::new(span, format!("no such operation on {} and {}", l.ty, r.ty)));
+            return Err(Fail::new(span, self.mismatch("no such operation on", "and", &l.ty, &r.ty)));
         };
         let (mut left, mut right) = (self.handle(l, span), self.handle(r, span));
         if needs_splat(op, &l.ty, &r.ty)
@@ -94,7 +99,10 @@ impl BodyBuilder<'_> {
 
     fn compare(&mut self, op: BinaryOp, l: Value, r: Value, span: Span) -> Lowered<Value> {
         if l.ty != r.ty || parts(&l.ty).is_none() {
-            return Err(Fail::new(span, format!("cannot compare {} with {}", l.ty, r.ty)));
+            return Err(Fail::new(span, self.mismatch("cannot compare", "with", &l.ty, &r.ty)));
+        }
+        if l.ty == BOOL && !matches!(op, BinaryOp::Equal | BinaryOp::NotEqual) {
+            return Err(Fail::new(span, "no shading language orders booleans: write `!a && b` for `a < b`"));
         }
         let outcome = self.compare_components(op, l, r, span);
         // Rust's == and != on vectors speak of the whole.
@@ -124,14 +132,21 @@ impl BodyBuilder<'_> {
         if !matches!(parts(&l.ty), Some((_, Scalar::I32 | Scalar::U32))) {
             return Err(Fail::new(span, format!("{} has no bits to shift", l.ty)));
         }
-        let r = if r.ty == I32 { self.cast(r, &U32, span)? } else { r };
-        let (left, right) = (self.handle(l, span), self.handle(r, span));
+        let r = match r.ty {
+            TypeDef::Vector(_, Scalar::I32) => self.convert(r, Scalar::U32, Some(4), span),
+            ty if ty == I32 => self.cast(r, &U32, span)?,
+            _ => r,
+        };
+        let (left, mut right) = (self.handle(l, span), self.handle(r, span));
+        if let (TypeDef::Vector(n, _), TypeDef::Scalar(_)) = (l.ty, r.ty) {
+            right = self.append(Expression::Splat { size: vector_size(n), value: right }, span);
+        }
         Ok(self.value(l.ty, Expression::Binary { op: naga_operator(op, &l.ty), left, right }, span))
     }
 
     /// `value as ty`.
     pub(super) fn cast(&mut self, value: Value, ty: &TypeDef, span: Span) -> Lowered<Value> {
-        if let Some(folded) = fold_cast(&value, ty) {
+        if let Some(folded) = fold::cast(&value, ty).map_err(|message| Fail::new(span, message))? {
             return Ok(folded);
         }
         let value = value.decide(&I32);
@@ -199,7 +214,7 @@ fn compares(op: BinaryOp) -> bool {
 /// Whether evaluating `e` in vain can neither fail nor cost much.
 fn is_harmless(e: &Expr) -> bool {
     match &e.kind {
-        ExprKind::Float(_)
+        ExprKind::Float(..)
         | ExprKind::Int(..)
         | ExprKind::Bool(_)
         | ExprKind::Local(_)
@@ -284,71 +299,4 @@ fn needs_splat(op: BinaryOp, l: &TypeDef, r: &TypeDef) -> bool {
         None => false,
         Some(s) => op != BinaryOp::Multiply || s != Scalar::F32,
     }
-}
-
-fn fold_unary(op: UnaryOp, value: &Value) -> Option<Value> {
-    let Repr::Literal(lit) = value.repr else { return None };
-    Some(Value::literal(match (op, lit) {
-        (UnaryOp::Negate, Lit::F32(v, exact)) => Lit::F32(-v, -exact),
-        (UnaryOp::Negate, Lit::I32(v)) => Lit::I32(v.wrapping_neg()),
-        (UnaryOp::Negate, Lit::Int(v)) => Lit::Int(-v),
-        (UnaryOp::Not, Lit::Bool(v)) => Lit::Bool(!v),
-        (UnaryOp::Not, Lit::U32(v)) => Lit::U32(!v),
-        (UnaryOp::Not, Lit::I32(v)) => Lit::I32(!v),
-        (UnaryOp::Not, Lit::Int(v)) => Lit::I32(!(v as i32)),
-        (UnaryOp::Negate, Lit::U32(_) | Lit::Bool(_)) | (UnaryOp::Not, Lit::F32(..)) => return None,
-    }))
-}
-
-/// Two literals become one here, in f32: left to a compiler they may be folded in f64.
-fn fold(op: BinaryOp, l: &Value, r: &Value) -> Option<Value> {
-    let (Repr::Literal(l), Repr::Literal(r)) = (l.repr, r.repr) else { return None };
-    match (l, r) {
-        (Lit::F32(a, x), Lit::F32(b, y)) => {
-            let (value, exact) = match op {
-                BinaryOp::Add => (a + b, x + y),
-                BinaryOp::Subtract => (a - b, x - y),
-                BinaryOp::Multiply => (a * b, x * y),
-                BinaryOp::Divide => (a / b, x / y),
-                _ => return None,
-            };
-            value.is_finite().then(|| Value::literal(Lit::F32(value, exact)))
-        }
-        (Lit::Int(a), Lit::Int(b)) => fold_int(op, a, b).map(|v| Value::literal(Lit::Int(v))),
-        (Lit::I32(a), Lit::I32(b)) => {
-            fold_int(op, a.into(), b.into()).map(|v| Value::literal(Lit::I32(v as i32)))
-        }
-        (Lit::U32(a), Lit::U32(b)) => {
-            fold_int(op, a.into(), b.into()).map(|v| Value::literal(Lit::U32(v as u32)))
-        }
-        _ => None,
-    }
-}
-
-fn fold_int(op: BinaryOp, a: i64, b: i64) -> Option<i64> {
-    match op {
-        BinaryOp::Add => Some(a.wrapping_add(b)),
-        BinaryOp::Subtract => Some(a.wrapping_sub(b)),
-        BinaryOp::Multiply => Some(a.wrapping_mul(b)),
-        BinaryOp::And => Some(a & b),
-        BinaryOp::Or => Some(a | b),
-        BinaryOp::Xor => Some(a ^ b),
-        _ => None,
-    }
-}
-
-fn fold_cast(value: &Value, ty: &TypeDef) -> Option<Value> {
-    let (Repr::Literal(lit), TypeDef::Scalar(to)) = (value.repr, *ty) else { return None };
-    let number = match lit {
-        Lit::Int(v) => v,
-        Lit::I32(v) => v.into(),
-        Lit::U32(v) => v.into(),
-        Lit::F32(..) | Lit::Bool(_) => return None,
-    };
-    Some(Value::literal(match to {
-        Scalar::F32 => Lit::F32(number as f32, number as f64),
-        Scalar::I32 => Lit::I32(number as i32),
-        Scalar::U32 => Lit::U32(number as u32),
-        Scalar::Bool => return None,
-    }))
 }

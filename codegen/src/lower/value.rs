@@ -54,6 +54,16 @@ impl Lit {
         }
     }
 
+    /// The number of an integer; 0 for others.
+    pub(super) fn as_i64(self) -> i64 {
+        match self {
+            Self::Int(value) => value,
+            Self::I32(value) => value.into(),
+            Self::U32(value) => value.into(),
+            Self::F32(..) | Self::Bool(_) => 0,
+        }
+    }
+
     /// The same number as a literal of type `ty`, if it is undecided and fits.
     pub(super) fn decide(self, ty: &TypeDef) -> Self {
         let element = match ty {
@@ -92,6 +102,11 @@ impl Value {
             Repr::Literal(lit) => Self::literal(lit.decide(ty)),
             Repr::Expr(_) => self,
         }
+    }
+
+    /// Decides the type of an undecided integer literal by a value of decided type beside it.
+    pub(super) fn follow(self, other: &Self) -> Self {
+        if other.is_undecided() { self } else { self.decide(&other.ty) }
     }
 
     /// Whether it is an integer literal without a decided type.
