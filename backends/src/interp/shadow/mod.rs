@@ -224,7 +224,9 @@ impl Model for Shadow {
         let (this, other) = if condition.exact { (accept, reject) } else { (reject, accept) };
         let mut bound = this.bound;
         if condition.ambiguous {
-            bound = bound.max((other.exact - this.exact).abs() + other.bound);
+            let reach = (other.exact - this.exact).abs() + other.bound;
+            // `max` would pass over the NaN of a side that has no value, as 0/0.
+            bound = if reach.is_nan() { f64::INFINITY } else { bound.max(reach) };
         }
         Real { value, exact: this.exact, bound: if bound.is_nan() { f64::INFINITY } else { bound } }
     }
