@@ -18,6 +18,12 @@ fn nearly_square(x: f32) -> f32 {
     x * x * 1.0001
 }
 
+/// Cancels in f32.
+#[kernel(not_robust = "a difference of near values")]
+fn square_the_long_way(x: f32) -> f32 {
+    (x * x + 1e8) - 1e8
+}
+
 /// The cosine between directions.
 #[kernel]
 fn cosine(a: Vec3, b: Vec3) -> f32 {
@@ -25,7 +31,9 @@ fn cosine(a: Vec3, b: Vec3) -> f32 {
 }
 
 fn kernel(name: &str) -> Option<FunctionRef> {
-    lobe_codegen::kernels![square, nearly_square, cosine].into_iter().find(|k| k().name == name)
+    lobe_codegen::kernels![square, nearly_square, square_the_long_way, cosine]
+        .into_iter()
+        .find(|k| k().name == name)
 }
 
 fn mapping(kernel: &str, args: &str, more: &str) -> Mapping {
@@ -78,6 +86,17 @@ fn a_wrong_kernel_falls_short_in_both_lanes() {
         assert!(why.contains("2 of 3 rows"), "{why}");
         assert!(answer.worst.is_some());
     }
+}
+
+#[test]
+fn a_form_that_is_not_robust_must_be_right_in_f64_only() {
+    let line = r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": 9, "df32": 1e-3}"#;
+    let report = judged(&mapping("square_the_long_way", r#"{"x": "x"}"#, ""), &[line]);
+    let verdicts: Vec<&Verdict> = report.answers.iter().map(|(_, a)| &a.verdict).collect();
+    let expected = Verdict::ExpectedFailure("a difference of near values".to_owned());
+    assert_eq!(verdicts, [&Verdict::Holds, &expected]);
+    let wrong = r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": 10}"#;
+    assert_short(&judged(&mapping("square_the_long_way", r#"{"x": "x"}"#, ""), &[wrong]), "1 of 1 rows");
 }
 
 #[test]
