@@ -69,6 +69,18 @@ fn pair(x: f32) -> Pair {
     Pair { first: x, second: x / 3.0 }
 }
 
+/// Close to the function that it names.
+#[kernel(domain(x = 0.0..=0.01), budget(1e-6), truth = exact_sine)]
+fn close_to_truth(x: f32) -> f32 {
+    x - x * x * x / 6.0
+}
+
+/// The budget of the whole is too tight for the second part, which has its own.
+#[kernel(domain(x = 1.0..=2.0), budget(1e-12, second = 1e-6))]
+fn pair_with_exception(x: f32) -> Pair {
+    Pair { first: x, second: x / 3.0 }
+}
+
 /// Panics on some rows.
 #[kernel(domain(n = 0.0..=8.0))]
 fn panics(n: u32) -> f32 {
@@ -82,7 +94,7 @@ fn without_domain(x: f32) -> f32 {
     x
 }
 
-const KERNELS: [lobe_codegen::def::FunctionRef; 10] = lobe_codegen::kernels![
+const KERNELS: [lobe_codegen::def::FunctionRef; 12] = lobe_codegen::kernels![
     doubled,
     cancels,
     cancels_as_stated,
@@ -90,7 +102,9 @@ const KERNELS: [lobe_codegen::def::FunctionRef; 10] = lobe_codegen::kernels![
     fails_without_budget,
     without_budget,
     far_from_truth,
+    close_to_truth,
     pair,
+    pair_with_exception,
     panics,
     without_domain,
 ];
@@ -165,6 +179,19 @@ fn distance_from_the_exact_function_is_measured() {
 }
 
 #[test]
+fn nearness_to_the_exact_function_holds() {
+    let report = check(named("close_to_truth"));
+    let correct = report.answers.iter().find(|a| a.subject == "the exact function").expect("an answer");
+    assert_eq!((&correct.verdict, correct.cases), (&Verdict::Holds, 1000));
+}
+
+#[test]
+fn the_nearest_budget_counts() {
+    let report = check(named("pair_with_exception"));
+    assert_eq!(answer(&report, Question::Robust).verdict, Verdict::Holds);
+}
+
+#[test]
 fn each_part_of_a_result_has_its_own_budget() {
     let report = check(named("pair"));
     let robust = answer(&report, Question::Robust);
@@ -175,7 +202,7 @@ fn each_part_of_a_result_has_its_own_budget() {
 #[test]
 fn a_panic_of_the_native_form_is_an_answer() {
     let report = check_on(named("panics"), &mut [Box::new(Native)]);
-    assert_short(&answer(&report, Question::Conformant).verdict, "panicked on row");
+    assert_short(&answer(&report, Question::Conformant).verdict, "panicked on row 1:");
 }
 
 #[test]

@@ -83,3 +83,36 @@ pub(crate) fn normalised(vector: &[f64]) -> Vec<f64> {
 fn rounded(vector: &[f64]) -> Vec<f32> {
     normalised(vector).into_iter().map(|c| c as f32).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_stand_in_every_relation_to_an_earlier_vector() {
+        let mut rng = Rng::new(7, "test");
+        let other = uniform(3, &mut rng);
+        let opposite: Vec<f32> = other.iter().map(|c| -c).collect();
+        let earlier = vec![vec![1.0, 0.0], other.clone()];
+        let dot = |v: &[f32]| -> f64 { v.iter().zip(&other).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum() };
+        let mut edges = (0..n_edges(3, 1)).map(|i| edge(3, i, &earlier, &mut rng)).skip(8);
+        assert_eq!(edges.next(), Some(other.clone()));
+        assert_eq!(edges.next(), Some(opposite));
+        assert!(edges.next().is_some_and(|v| dot(&v).abs() < 1e-6));
+        let cosines: Vec<f64> = edges.map(|v| dot(&v)).collect();
+        assert_eq!(cosines.len(), 2 * ANGLES.len());
+        assert_eq!(cosines.iter().filter(|c| **c > 0.99).count(), ANGLES.len());
+        assert_eq!(cosines.iter().filter(|c| **c < -0.99).count(), ANGLES.len());
+    }
+
+    #[test]
+    fn axes_and_diagonals_have_length_one() {
+        let mut rng = Rng::new(7, "test");
+        for n in 2..=4 {
+            for index in 0..n_edges(n, 0) {
+                let square: f32 = edge(n, index, &[], &mut rng).iter().map(|c| c * c).sum();
+                assert!((square - 1.0).abs() < 1e-6);
+            }
+        }
+    }
+}

@@ -12,32 +12,32 @@ use lobe_tests::question::{Answer, Question};
 use lobe_tests::report::KernelReport;
 
 /// A plan without files: nothing listed, no table mapped.
-pub fn plan(inputs: usize) -> Plan {
+pub(crate) fn plan(inputs: usize) -> Plan {
     let mapping = Mapping::parse(r#"{"version": 1, "entries": []}"#).expect("a mapping");
     Plan { inputs, seed: 7, cases: Cases::at("no-such-folder"), mapping }
 }
 
 /// The report on `kernel`, native and interpreted.
-pub fn check(kernel: FunctionRef) -> KernelReport {
+pub(crate) fn check(kernel: FunctionRef) -> KernelReport {
     check_on(kernel, &mut [Box::new(Native), Box::new(Interp)])
 }
 
 /// The report on `kernel`.
-pub fn check_on(kernel: FunctionRef, routes: &mut [Box<dyn Executor>]) -> KernelReport {
+pub(crate) fn check_on(kernel: FunctionRef, routes: &mut [Box<dyn Executor>]) -> KernelReport {
     judge(kernel, &plan(1000), routes, &|_| {})
 }
 
 /// The first answer to `question`.
 #[track_caller]
-pub fn answer(report: &KernelReport, question: Question) -> &Answer {
+pub(crate) fn answer(report: &KernelReport, question: Question) -> &Answer {
     let found = report.answers.iter().find(|a| a.question == question);
     found.unwrap_or_else(|| panic!("no answer to {}: {report:?}", question.name()))
 }
 
 /// Runs natively under another name, and lets `spoil` change the results.
-pub struct Spoilt {
-    pub route: Route,
-    pub spoil: fn(&mut Columns),
+pub(crate) struct Spoilt {
+    pub(crate) route: Route,
+    pub(crate) spoil: fn(&mut Columns),
 }
 
 impl Executor for Spoilt {
