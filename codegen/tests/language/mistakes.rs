@@ -66,6 +66,36 @@ fn mistakes_are_shown_at_their_columns() {
     points_at(&refusal(kernels![compares_structures][0]), "cannot compare Sg with Sg", "a == b");
 }
 
+mod elsewhere {
+    use lobe_codegen::prelude::*;
+
+    #[kernel]
+    pub(crate) const ENDLESS: f32 = 1.0 / 0.0;
+
+    #[kernel]
+    pub(crate) fn ordered(p: bool, q: bool) -> bool {
+        p < q
+    }
+}
+
+#[kernel]
+fn uses_endless(x: f32) -> f32 {
+    x * elsewhere::ENDLESS
+}
+
+#[kernel]
+fn calls_ordered(p: bool) -> bool {
+    !elsewhere::ordered(p, true)
+}
+
+/// The mistake is where the item stands, not where it is used.
+#[test]
+fn mistakes_of_others_are_shown_at_their_lines() {
+    let message = refusal(kernels![uses_endless][0]);
+    points_at(&message, "`ENDLESS` is not finite", "pub(crate) const ENDLESS: f32 = 1.0 / 0.0;");
+    points_at(&refusal(kernels![calls_ordered][0]), "orders booleans", "p < q");
+}
+
 mod uniform {
     use lobe_codegen::prelude::*;
 
