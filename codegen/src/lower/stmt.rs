@@ -23,6 +23,7 @@ impl BodyBuilder<'_> {
     }
 
     fn stmt(&mut self, stmt: &'static Stmt) -> Lowered<()> {
+        self.at = stmt.span;
         match &stmt.kind {
             StmtKind::Let { local, ty, init } => self.let_stmt(*local, ty.as_ref(), init.as_ref(), stmt.span),
             StmtKind::Assign { place, op, value } => self.assign(place, *op, value, stmt.span),
