@@ -1,0 +1,73 @@
+//! What can go wrong while a module is interpreted.
+
+/// Why a call or a dispatch has no result.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum InterpError {
+    /// The interpreter does not execute this.
+    #[error("the interpreter does not execute {what} (in `{function}`)")]
+    Unsupported {
+        /// The expression, statement or type.
+        what: String,
+        /// The function that contains it.
+        function: String,
+    },
+    /// The arguments do not fit the function's parameters.
+    #[error("`{function}` takes {expected} scalars a row, but {found} were given")]
+    Arguments {
+        /// The function.
+        function: String,
+        /// Scalars of its parameters.
+        expected: usize,
+        /// Columns given.
+        found: usize,
+    },
+    /// The columns of exact values do not fit the arguments.
+    #[error("`{function}` needs {expected} columns of exact values as long as the arguments")]
+    ExactColumns {
+        /// The function.
+        function: String,
+        /// Scalars of its parameters.
+        expected: usize,
+    },
+    /// No entry point has this index.
+    #[error("the module has no entry point {0}")]
+    NoEntryPoint(usize),
+    /// An entry point uses a buffer that was not given.
+    #[error("no buffer was given for `{name}` (group {group}, binding {binding})")]
+    MissingBuffer {
+        /// Name of the variable.
+        name: String,
+        /// Its group.
+        group: u32,
+        /// Its binding within the group.
+        binding: u32,
+    },
+    /// A buffer is shorter than its type.
+    #[error("the buffer of `{name}` has {found} bytes, its type needs {expected}")]
+    BufferTooSmall {
+        /// Name of the variable.
+        name: String,
+        /// Bytes of the type (for a runtime-sized array: of one element and what precedes it).
+        expected: usize,
+        /// Bytes given.
+        found: usize,
+    },
+    /// Some invocations of a workgroup reached a barrier that others did not.
+    #[error("a barrier in `{function}` is reached by a part of the workgroup only")]
+    NonUniformBarrier {
+        /// The function that contains it.
+        function: String,
+    },
+    /// Loops ran longer than the fuel allows.
+    #[error("a loop in `{function}` runs too long")]
+    OutOfFuel {
+        /// The function that contains it.
+        function: String,
+    },
+    /// The module breaks a rule that validation should have caught.
+    #[error("malformed module: {0}")]
+    Malformed(&'static str),
+}
+
+/// Result of the interpreter's parts.
+pub(super) type Res<T> = Result<T, InterpError>;

@@ -1,0 +1,174 @@
+//! The CPU executor: naga IR, lane by lane.
+//!
+//! One machine (`exec`) walks statements and expressions for a batch of lanes; what a lane's numbers are
+//! is a model's business (`model`).
+//! Three models answer three questions:
+//!
+//! - *strict* ([`Interpreter::call`], [`Interpreter::run`]): what are the results in IEEE f32, each operation
+//!   as [`lobe_codegen::math`] has it?
+//!   They equal the native functions' bit for bit, since both call the same functions in the same order.
+//! - *shadow* ([`Interpreter::shadow`]): what is the exact result, and how far from it may any driver be
+//!   that keeps the shading languages' accuracy rules?
+//! - *perturbed* ([`Interpreter::perturbed`]): what does one such driver return, drawn by chance?
+//!   It is how the bounds are put to the test.
+//!
+//! Integers are as in WGSL: wrapping, `x / 0 = x`, `x % 0 = 0`, shifts by the lower five bits, conversions
+//! saturate; indices out of bounds are clamped.
+
+mod batch;
+mod dispatch;
+mod error;
+mod exec;
+mod formula;
+mod layout;
+mod leaf;
+mod mask;
+mod memory;
+mod model;
+mod perturbed;
+mod shadow;
+mod strict;
+
+pub use dispatch::Buffer;
+pub use error::InterpError;
+
+use batch::Batch;
+use lobe_codegen::ValidModule;
+use lobe_codegen::data::Columns;
+use naga::{Function, Handle};
+use rayon::prelude::*;
+
+/// Rows that are computed together.
+const LANES: usize = 256;
+
+/// Rounds of loops that a batch may run, unless [`Interpreter::with_fuel`] says otherwise.
+const FUEL: u64 = 1 << 24;
+
+/// Executes the functions and entry points of a module.
+#[derive(Debug, Clone)]
+pub struct Interpreter<'m> {
+    module: &'m ValidModule,
+    fuel: u64,
+}
+
+/// Results of the shadow lane.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ShadowColumns {
+    /// One for each scalar of the result.
+    pub columns: Vec<ShadowColumn>,
+    /// Number of rows.
+    pub rows: usize,
+    /// Rows that met a decision which drivers may take either way; both ways were followed and joined.
+    pub ambiguous: Vec<bool>,
+    /// Rows without bound for a reason other than arithmetic: an ambiguous exit of a loop, the bits of an
+    /// inexact number, an index that is not known.
+    pub indeterminate: Vec<bool>,
+}
+
+/// One scalar of the result in all rows.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ShadowColumn {
+    /// Floats.
+    Float {
+        /// In strict f32.
+        value: Vec<f32>,
+        /// Of the formula in real numbers, along the decisions that these take.
+        exact: Vec<f64>,
+        /// Largest distance from `exact` of any permitted driver's result; infinite when there is none.
+        bound: Vec<f64>,
+    },
+    /// Integers and booleans.
+    Word {
+        /// In strict f32.
+        value: Vec<u32>,
+        /// Whether every permitted driver returns `value`.
+        known: Vec<bool>,
+    },
+}
+
+impl<'m> Interpreter<'m> {
+    /// An interpreter of `module`.
+    ///
+    /// # Errors
+    /// None yet: what is not supported is reported when it is met.
+    pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
+        Ok(Self { module, fuel: FUEL })
+    }
+
+    /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
+    #[must_use]
+    pub fn with_fuel(self, rounds: u64) -> Self {
+        Self { fuel: rounds, ..self }
+    }
+
+    /// Calls function `f` on every row, in strict f32: one column of words for each scalar of the arguments,
+    /// likewise for the result.
+    ///
+    /// # Errors
+    /// When the columns do not fit the parameters, the function does something that the interpreter does not
+    /// execute, or a loop does not end.
+    pub fn call(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
+        self.plain(f, args, |_| strict::Strict)
+    }
+
+    /// Calls `f` as a permitted driver would that errs by chance; the same seed gives the same results.
+    ///
+    /// # Errors
+    /// As [`Interpreter::call`].
+    pub fn perturbed(&self, f: Handle<Function>, args: &Columns, seed: u64) -> Result<Columns, InterpError> {
+        self.plain(f, args, |chunk| {
+            perturbed::Perturbed::new(seed ^ (chunk as u64).wrapping_mul(0x5851_f42d_4c95_7f2d))
+        })
+    }
+
+    fn plain<M: model::Model>(
+        &self,
+        f: Handle<Function>,
+        args: &Columns,
+        model: impl Fn(usize) -> M + Sync,
+    ) -> Result<Columns, InterpError> {
+        let signature = batch::Signature::of(self.module, f, args, None)?;
+        let chunks = batch::chunks(args.rows).into_par_iter();
+        let parts = chunks
+            .map(|range| Batch::new(self.module, model(range.start), self.fuel, &signature).words(range))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut out = Columns::zeros(signature.results.len(), 0);
+        parts.iter().for_each(|part| out.append(part));
+        Ok(out)
+    }
+
+    /// Calls `f` on every row with the exact value and a bound beside each float.
+    ///
+    /// `exact` holds the exact values of the arguments' scalars (those of integers are ignored): the bound
+    /// then allows for the difference. Without it arguments are exactly their f32.
+    ///
+    /// # Errors
+    /// As [`Interpreter::call`], except that a loop that does not end makes its rows indeterminate.
+    pub fn shadow(
+        &self,
+        f: Handle<Function>,
+        args: &Columns,
+        exact: Option<&[Vec<f64>]>,
+    ) -> Result<ShadowColumns, InterpError> {
+        let signature = batch::Signature::of(self.module, f, args, exact)?;
+        let chunks = batch::chunks(args.rows).into_par_iter();
+        let parts = chunks
+            .map(|range| Batch::new(self.module, shadow::Shadow, self.fuel, &signature).shadow(range))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut out = batch::no_rows(&signature.results);
+        parts.into_iter().for_each(|part| batch::append(&mut out, part));
+        Ok(out)
+    }
+
+    /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers are updated
+    /// in place.
+    ///
+    /// The invocations of a workgroup run in lockstep, workgroups one after the other.
+    ///
+    /// # Errors
+    /// When there is no such entry point, a buffer lacks or is too small, the entry point does something that
+    /// the interpreter does not execute, a barrier is not uniform, or a loop does not end.
+    pub fn run(&self, entry: usize, groups: [u32; 3], buffers: &mut [Buffer]) -> Result<(), InterpError> {
+        dispatch::run(self.module, self.fuel, entry, groups, buffers)
+    }
+}

@@ -1,0 +1,172 @@
+//! What a lane's numbers are.
+//!
+//! The machine that walks statements and expressions is the same for all models; a model says what a
+//! float, a 32-bit integer and a boolean are and what each scalar operation does.
+//! [`Strict`](super::strict::Strict) holds plain numbers, [`Shadow`](super::shadow::Shadow) carries the set
+//! of values that permitted drivers may have, [`Perturbed`](super::perturbed::Perturbed) is one such driver,
+//! drawn by chance.
+//!
+//! Operations whose accuracy is inherited from a formula have that formula as their default.
+
+use super::formula;
+
+/// Which of two operands' values and exact values a join takes: `true` for the first one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pick {
+    pub(super) value: bool,
+    pub(super) exact: bool,
+}
+
+macro_rules! operations {
+    (required { $($(#[$doc:meta])* $name:ident($($arg:ident)*);)* } formulas { $($derived:ident($($darg:ident)*);)* }) => {
+        /// The scalar operations; see the module's documentation.
+        ///
+        /// Integers are their 32 bits, whether signed or not.
+        pub(super) trait Model {
+            /// Whether decisions can be ambiguous and values unknown.
+            const SHADOW: bool;
+            /// A float lane.
+            type F: Copy;
+            /// An integer lane.
+            type W: Copy;
+            /// A boolean lane.
+            type B: Copy;
+
+            /// A float that is `value` in f32 and `exact` in truth.
+            fn float(&self, value: f32, exact: f64) -> Self::F;
+            fn value(&self, a: Self::F) -> f32;
+            fn exact(&self, a: Self::F) -> f64;
+            /// The float `a`, of which the exact value is `truth`.
+            fn with_truth(&self, a: Self::F, truth: f64) -> Self::F;
+            fn join_f(&self, a: Self::F, b: Self::F, pick: Pick) -> Self::F;
+
+            fn word(&self, value: u32) -> Self::W;
+            fn word_value(&self, a: Self::W) -> u32;
+            fn word_exact(&self, a: Self::W) -> u32;
+            fn known(&self, a: Self::W) -> bool;
+            /// A word that is `value` on the f32 path and `exact` on the exact one; known if these agree.
+            fn word_parts(&self, value: u32, exact: u32) -> Self::W;
+            /// The same word, but any other value is possible too.
+            fn forget(&self, a: Self::W) -> Self::W;
+            fn map_w(&self, a: Self::W, f: impl Fn(u32) -> u32) -> Self::W;
+            fn zip_w(&self, a: Self::W, b: Self::W, f: impl Fn(u32, u32) -> u32) -> Self::W;
+            fn join_w(&self, a: Self::W, b: Self::W, pick: Pick) -> Self::W;
+
+            fn boolean(&self, value: bool) -> Self::B;
+            fn decision(&self, a: Self::B) -> bool;
+            fn decision_exact(&self, a: Self::B) -> bool;
+            fn ambiguous(&self, a: Self::B) -> bool;
+            fn join_b(&self, a: Self::B, b: Self::B, pick: Pick) -> Self::B;
+            fn not(&self, a: Self::B) -> Self::B;
+            fn and(&self, a: Self::B, b: Self::B) -> Self::B;
+            fn xor(&self, a: Self::B, b: Self::B) -> Self::B;
+            fn or(&self, a: Self::B, b: Self::B) -> Self::B {
+                self.not(self.and(self.not(a), self.not(b)))
+            }
+
+            fn compare_w(&self, a: Self::W, b: Self::W, f: impl Fn(u32, u32) -> bool) -> Self::B;
+            fn less(&self, a: Self::F, b: Self::F) -> Self::B;
+            fn less_equal(&self, a: Self::F, b: Self::F) -> Self::B;
+            fn equal(&self, a: Self::F, b: Self::F) -> Self::B;
+            fn is_nan(&self, a: Self::F) -> Self::B;
+            fn is_inf(&self, a: Self::F) -> Self::B;
+
+            fn to_word(&self, a: Self::F, signed: bool) -> Self::W;
+            fn to_float(&self, a: Self::W, signed: bool) -> Self::F;
+            fn bits(&self, a: Self::F) -> Self::W;
+            fn float_of_bits(&self, a: Self::W) -> Self::F;
+
+            $(
+                $(#[$doc])*
+                fn $name(&self, $($arg: Self::F),*) -> Self::F;
+            )*
+            $(
+                fn $derived(&self, $($darg: Self::F),*) -> Self::F
+                where
+                    Self: Sized,
+                {
+                    formula::$derived(self, $($darg),*)
+                }
+            )*
+
+            /// The float nearest to a constant of a formula.
+            fn constant(&self, exact: f64) -> Self::F {
+                self.float(exact as f32, exact)
+            }
+
+            /// `a * a`, both factors being the same number.
+            fn square(&self, a: Self::F) -> Self::F {
+                self.mul(a, a)
+            }
+
+            /// `a`, of which a decision has told that it is not negative.
+            fn nonnegative(&self, a: Self::F) -> Self::F {
+                a
+            }
+
+            /// `accept` if `condition` holds, otherwise `reject`.
+            fn select_f(&self, condition: Self::B, accept: Self::F, reject: Self::F) -> Self::F {
+                let pick = Pick { value: self.decision(condition), exact: self.decision_exact(condition) };
+                if self.ambiguous(condition) {
+                    self.join_f(accept, reject, pick)
+                } else if pick.value {
+                    accept
+                } else {
+                    reject
+                }
+            }
+        }
+    };
+}
+
+operations! {
+    required {
+        add(a b);
+        sub(a b);
+        mul(a b);
+        div(a b);
+        /// `a % b`, with the sign of `a`
+        rem(a b);
+        neg(a);
+        abs(a);
+        min(a b);
+        max(a b);
+        sign(a);
+        ceil(a);
+        floor(a);
+        round(a);
+        trunc(a);
+        fract(a);
+        /// 1 if `edge <= x`
+        step(edge x);
+        sqrt(a);
+        inverse_sqrt(a);
+        exp(a);
+        exp2(a);
+        log(a);
+        log2(a);
+        sin(a);
+        cos(a);
+        atan(a);
+        atan2(y x);
+    }
+    formulas {
+        clamp(x low high);
+        saturate(x);
+        pow(x y);
+        tan(x);
+        asin(x);
+        acos(x);
+        sinh(x);
+        cosh(x);
+        tanh(x);
+        asinh(x);
+        acosh(x);
+        atanh(x);
+        degrees(x);
+        radians(x);
+        fma(x y z);
+        mix(x y t);
+        smoothstep(low high x);
+    }
+}

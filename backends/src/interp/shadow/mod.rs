@@ -1,0 +1,108 @@
+//! The shadow lane: beside each f32 its exact value and all values that permitted drivers may have.
+//!
+//! A float is `{ value, exact, low, high }`: what strict f32 gives, what the formula gives in real numbers
+//! (f64), and an interval.
+//! **Claim:** whatever implementation evaluates the function while it keeps the accuracy rules of
+//! [`lobe_codegen::intrinsics`], its number lies in `low ..= high`; so `max(high - exact, exact - low)`
+//! bounds its error.
+//! The claim holds for arguments and is kept by every operation: the interval of the result holds the exact
+//! result of every choice of operands from their intervals ([`interval`]), widened by the operation's
+//! accuracy class ([`round`]).
+//! Since each operation allows for all operands, second-order terms are no matter; since the interval holds
+//! the exact result of operands that were not rounded before, contraction to fused multiply-add is covered.
+//!
+//! An interval rather than a radius, because kernels guard their domains: after `max(x, 0)` nothing is
+//! negative, and only an interval says so to the root that follows.
+//!
+//! Readings of the rules that the specifications leave open:
+//!
+//! - A result that is correctly rounded lies between the floats that enclose it, so what is representable is
+//!   exact: counters and powers of two carry no error.
+//! - Flushing: whenever an interval holds subnormal numbers it is extended to zero.
+//! - A number that is used twice is one number, so `x * x` is not negative.
+//! - Errors in ULP do not change the sign of a result, and an ULP of zero is zero.
+//! - `sqrt` is `1 / inverse_sqrt(x)`, which at zero would be `1 / inf`, which no rule bounds; we let arguments
+//!   that reach below the normal numbers give results in `0 ..= sqrt(high)`, widened.
+//! - `sin` and `cos` keep their promise up to the f32 that is nearest to pi.
+//! - Once a number has no bound (overflow, a pole, a domain left), nothing computed from it has one, not even
+//!   `clamp` of it: it may be NaN.
+
+mod boolean;
+mod elementary;
+mod interval;
+mod model;
+mod pieces;
+mod round;
+
+/// The model; it has no state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shadow;
+
+/// A float; see the module's documentation.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Float {
+    pub(super) value: f32,
+    pub(super) exact: f64,
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+/// An integer.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Word {
+    /// On the f32 path.
+    pub(super) value: u32,
+    /// On the exact path.
+    pub(super) exact: u32,
+    /// Whether every permitted driver has the same value.
+    pub(super) known: bool,
+}
+
+/// A decision.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Truth {
+    /// By the f32 numbers.
+    pub(super) value: bool,
+    /// By the exact numbers.
+    pub(super) exact: bool,
+    /// Whether permitted drivers may decide otherwise.
+    pub(super) ambiguous: bool,
+}
+
+impl Float {
+    /// A number of which nothing is promised.
+    pub(super) fn unbounded(value: f32, exact: f64) -> Self {
+        Self { value, exact, low: f64::NEG_INFINITY, high: f64::INFINITY }
+    }
+
+    /// Closes the interval under flushing and gives up what may overflow.
+    pub(super) fn closed(value: f32, exact: f64, low: f64, high: f64) -> Self {
+        const MAX: f64 = f32::MAX as f64;
+        let low = if low > 0.0 && low < MIN_NORMAL { 0.0 } else { low };
+        let high = if high < 0.0 && high > -MIN_NORMAL { 0.0 } else { high };
+        // Written so that NaN anywhere gives up, too.
+        if low >= -MAX && high <= MAX && exact.abs() <= MAX {
+            Self { value, exact, low: low.min(exact), high: high.max(exact) }
+        } else {
+            Self::unbounded(value, exact)
+        }
+    }
+
+    /// Whether anything is promised.
+    pub(super) fn bounded(self) -> bool {
+        self.low.is_finite()
+    }
+
+    /// Whether all drivers have this one number.
+    pub(super) fn is_point(self) -> bool {
+        self.low == self.high
+    }
+
+    /// Largest possible distance from the exact value; infinite when nothing is promised.
+    pub(super) fn bound(self) -> f64 {
+        if self.bounded() { (self.high - self.exact).max(self.exact - self.low) } else { f64::INFINITY }
+    }
+}
+
+/// The smallest normal f32.
+const MIN_NORMAL: f64 = f32::MIN_POSITIVE as f64;
