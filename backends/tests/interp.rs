@@ -17,3 +17,5 @@ mod memory;
 mod shadow;
 #[path = "interp/soundness.rs"]
 mod soundness;
+#[path = "interp/truths.rs"]
+mod truths;
