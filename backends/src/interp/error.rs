@@ -1,90 +1,73 @@
-//! What the interpreter refuses, and what a program does wrong.
+//! What can go wrong while a module is interpreted.
 
-/// Why a module did not run to its end.
-#[derive(Debug, Clone, thiserror::Error)]
+/// Why a call or a dispatch has no result.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum InterpError {
-    /// The module uses something that this interpreter does not have.
-    #[error("in `{function}`: {what} is not supported by the interpreter")]
+    /// The interpreter does not execute this.
+    #[error("the interpreter does not execute {what} (in `{function}`)")]
     Unsupported {
-        /// Name of the function.
-        function: String,
         /// The expression, statement or type.
         what: String,
+        /// The function that contains it.
+        function: String,
     },
-    /// The arguments do not fit the function.
-    #[error("`{function}` takes {expected} scalars a row, got {found}")]
+    /// The arguments do not fit the function's parameters.
+    #[error("`{function}` takes {expected} scalars a row, but {found} were given")]
     Arguments {
-        /// Name of the function.
+        /// The function.
         function: String,
         /// Scalars of its parameters.
         expected: usize,
         /// Columns given.
         found: usize,
     },
-    /// A buffer is missing or too small for its binding.
-    #[error("the buffer for group {group}, binding {binding} {what}")]
-    Buffer {
-        /// Bind group.
+    /// The columns of exact values do not fit the arguments.
+    #[error("`{function}` needs {expected} columns of exact values as long as the arguments")]
+    ExactColumns {
+        /// The function.
+        function: String,
+        /// Scalars of its parameters.
+        expected: usize,
+    },
+    /// No entry point has this index.
+    #[error("the module has no entry point {0}")]
+    NoEntryPoint(usize),
+    /// An entry point uses a buffer that was not given.
+    #[error("no buffer was given for `{name}` (group {group}, binding {binding})")]
+    MissingBuffer {
+        /// Name of the variable.
+        name: String,
+        /// Its group.
         group: u32,
-        /// Binding.
+        /// Its binding within the group.
         binding: u32,
-        /// What is wrong with it.
-        what: String,
     },
-    /// A loop ran longer than it may.
-    #[error("in `{function}`: a loop ran {rounds} rounds without an end; it is taken to be endless")]
-    OutOfFuel {
-        /// Name of the function.
-        function: String,
-        /// Rounds.
-        rounds: u64,
+    /// A buffer is shorter than its type.
+    #[error("the buffer of `{name}` has {found} bytes, its type needs {expected}")]
+    BufferTooSmall {
+        /// Name of the variable.
+        name: String,
+        /// Bytes of the type (for a runtime-sized array: of one element and what precedes it).
+        expected: usize,
+        /// Bytes given.
+        found: usize,
     },
-    /// A barrier that not all invocations of the workgroup reach.
-    #[error("in `{function}`: a barrier is reached by {reached} of {lanes} invocations")]
+    /// Some invocations of a workgroup reached a barrier that others did not.
+    #[error("a barrier in `{function}` is reached by a part of the workgroup only")]
     NonUniformBarrier {
-        /// Name of the function.
+        /// The function that contains it.
         function: String,
-        /// Invocations that reach it.
-        reached: usize,
-        /// Invocations of the workgroup.
-        lanes: usize,
     },
+    /// Loops ran longer than the fuel allows.
+    #[error("a loop in `{function}` runs too long")]
+    OutOfFuel {
+        /// The function that contains it.
+        function: String,
+    },
+    /// The module breaks a rule that validation should have caught.
+    #[error("malformed module: {0}")]
+    Malformed(&'static str),
 }
 
-/// A fault before the function it lies in is known.
-#[derive(Debug, Clone, Copy, thiserror::Error)]
-pub(super) enum Internal {
-    #[error("a value of this kind at this place")]
-    Kind,
-    #[error("a type of this kind (textures, pointers in memory, or scalars that are not 32 bits wide)")]
-    Type,
-    #[error("an expression that was not evaluated before its use")]
-    NotEvaluated,
-}
-
-/// A fault inside a function.
-#[derive(Debug, Clone)]
-pub(super) enum Fault {
-    /// Something unsupported.
-    Unsupported(String),
-    /// An error that knows its function.
-    Known(InterpError),
-}
-
-impl From<Internal> for Fault {
-    fn from(internal: Internal) -> Self {
-        Self::Unsupported(internal.to_string())
-    }
-}
-
-impl Fault {
-    /// The error, in this function.
-    pub(super) fn within(self, function: &str) -> InterpError {
-        match self {
-            Self::Unsupported(what) => InterpError::Unsupported { function: function.to_owned(), what },
-            Self::Known(error) => error,
-        }
-    }
-}
-
-pub(super) type Result<T> = std::result::Result<T, Fault>;
+/// Result of the interpreter's parts.
+pub(super) type Res<T> = Result<T, InterpError>;

@@ -1,147 +1,150 @@
-//! Loads, stores and atomics; the memory that lanes share.
+//! Variables and buffers.
+//!
+//! A variable of a function, or a private one, belongs to each lane alone and is kept as lanes.
+//! Workgroup memory and buffers are shared by all lanes and kept as words.
+//! Indices out of bounds are clamped (the last element is meant), as naga's `Restrict` policy has it, so
+//! every pointer leads somewhere; only an empty runtime-sized array leads nowhere: it reads as zero.
 
-use super::error::{Fault, Internal, Result};
-use super::exec::{Executor, Frame};
+use super::error::{InterpError, Res};
+use super::layout::{Kind, Packing, Pointee, Types};
+use super::leaf::Leaf;
+use super::mask::Mask;
 use super::model::Model;
-use super::value::{Column, Kind, Pointee, Pointer, Root, Value, kinds, width};
-use naga::{AtomicFunction, Handle, TypeInner};
-use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Scalars of global variables, by variable and index.
-pub(super) struct Shared<M: Model>(HashMap<Handle<naga::GlobalVariable>, Vec<Cell<M>>>);
-
-/// A scalar in shared memory.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Cell<M: Model> {
-    F(M::F),
-    W(M::W),
-    B(M::B),
+/// What a pointer leads into.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Root {
+    /// A variable of each lane.
+    Lane(usize),
+    /// Memory that the lanes share.
+    Shared(usize),
 }
 
-impl<M: Model> Default for Shared<M> {
-    fn default() -> Self {
-        Self(HashMap::new())
-    }
+/// Units from the root.
+#[derive(Debug, Clone)]
+pub(super) enum Offset {
+    /// The same in all lanes.
+    Uniform(u32),
+    /// One for each lane.
+    Lanes(Rc<Vec<u32>>),
 }
 
-impl<M: Model> Shared<M> {
-    /// Gives a variable its scalars.
-    pub(super) fn set(&mut self, variable: Handle<naga::GlobalVariable>, cells: Vec<Cell<M>>) {
-        self.0.insert(variable, cells);
-    }
-
-    /// The scalars of a variable.
-    pub(super) fn get(&self, variable: Handle<naga::GlobalVariable>) -> Result<&Vec<Cell<M>>> {
-        self.0.get(&variable).ok_or_else(unbound)
-    }
-
-    fn get_mut(&mut self, variable: Handle<naga::GlobalVariable>) -> Result<&mut Vec<Cell<M>>> {
-        self.0.get_mut(&variable).ok_or_else(unbound)
-    }
-}
-
-fn unbound() -> Fault {
-    Fault::Unsupported("a global variable outside an entry point's run".to_owned())
-}
-
-impl<M: Model> Cell<M> {
-    /// From the bits in a buffer.
-    pub(super) fn from_bits(kind: Kind, bits: u32) -> Self {
-        match kind {
-            Kind::F => Self::F(M::float(f32::from_bits(bits), f32::from_bits(bits).into())),
-            Kind::W => Self::W(M::word(bits)),
-            Kind::B => Self::B(M::bool(bits != 0)),
-        }
-    }
-
-    /// The bits for a buffer.
-    pub(super) fn bits(self) -> u32 {
+impl Offset {
+    fn at(&self, lane: usize) -> u32 {
         match self {
-            Self::F(x) => M::float_value(x).to_bits(),
-            Self::W(x) => M::word_value(x),
-            Self::B(x) => M::bool_value(x).into(),
+            Self::Uniform(at) => *at,
+            Self::Lanes(at) => at[lane],
         }
     }
 
-    fn of(column: &Column<M>, i: usize) -> Self {
-        match column {
-            Column::F(x) => Self::F(x[i]),
-            Column::W(x) => Self::W(x[i]),
-            Column::B(x) => Self::B(x[i]),
+    /// Adds a constant.
+    pub(super) fn plus(&self, units: u32) -> Self {
+        match self {
+            Self::Uniform(at) => Self::Uniform(at.saturating_add(units)),
+            Self::Lanes(at) => Self::Lanes(Rc::new(at.iter().map(|a| a.saturating_add(units)).collect())),
         }
     }
 
-    fn put(self, column: &mut Column<M>, i: usize) {
-        match (self, column) {
-            (Self::F(x), Column::F(to)) => to[i] = x,
-            (Self::W(x), Column::W(to)) => to[i] = x,
-            (Self::B(x), Column::B(to)) => to[i] = x,
-            (Self::F(_) | Self::W(_) | Self::B(_), _) => {}
-        }
+    /// Adds one number a lane.
+    pub(super) fn plus_lanes(&self, units: &[u32]) -> Self {
+        let sum = units.iter().enumerate().map(|(lane, u)| self.at(lane).saturating_add(*u)).collect();
+        Self::Lanes(Rc::new(sum))
     }
 }
 
-impl<'m, M: Model> Executor<'m, M> {
-    fn pointee_kinds(&self, ty: Pointee) -> Result<Vec<Kind>> {
-        match ty {
-            Pointee::Scalars(n, kind) => Ok(vec![kind; n]),
-            Pointee::Type(ty) => {
-                let mut out = Vec::new();
-                kinds(self.module.module(), &self.module.module().types[ty].inner, &mut out)?;
-                Ok(out)
+/// A pointer in every lane; all lead into the same root.
+#[derive(Debug, Clone)]
+pub(super) struct Pointer {
+    pub(super) root: Root,
+    pub(super) offset: Offset,
+    pub(super) pointee: Pointee,
+}
+
+/// Memory of a workgroup or a buffer.
+#[derive(Debug, Clone)]
+pub(super) struct Shared {
+    pub(super) words: Vec<u32>,
+    pub(super) packing: Packing,
+}
+
+/// All memory that a batch reaches.
+pub(super) struct Memory<M: Model> {
+    pub(super) lane: Vec<Vec<Leaf<M>>>,
+    pub(super) shared: Vec<Shared>,
+}
+
+const OUTSIDE: InterpError = InterpError::Malformed("a pointer leads out of its variable");
+
+impl<M: Model> Memory<M> {
+    pub(super) fn new() -> Self {
+        Self { lane: Vec::new(), shared: Vec::new() }
+    }
+
+    /// How the memory behind `root` is laid out.
+    pub(super) fn packing(&self, root: Root) -> Packing {
+        match root {
+            Root::Lane(_) => Packing::Packed,
+            Root::Shared(id) => self.shared[id].packing,
+        }
+    }
+
+    /// Units behind `root`.
+    pub(super) fn units(&self, root: Root) -> u32 {
+        match root {
+            Root::Lane(id) => self.lane[id].len() as u32,
+            Root::Shared(id) => self.shared[id].words.len() as u32,
+        }
+    }
+
+    /// Reads what `pointer` leads to, in all lanes.
+    pub(super) fn load(&self, m: &M, types: Types<'_>, pointer: &Pointer, lanes: usize) -> Res<Vec<Leaf<M>>> {
+        let scalars = types.scalars(pointer.pointee, self.packing(pointer.root))?;
+        match pointer.root {
+            Root::Lane(id) => {
+                let variable = &self.lane[id];
+                scalars
+                    .into_iter()
+                    .map(|(_, at)| load_lane(variable, &pointer.offset.plus(at), lanes))
+                    .collect()
+            }
+            Root::Shared(id) => {
+                let words = &self.shared[id].words;
+                let load = |(kind, at): (Kind, u32)| {
+                    let word = |lane| words.get((pointer.offset.at(lane).saturating_add(at)) as usize);
+                    Leaf::from_value_bits(m, kind, (0..lanes).map(|lane| word(lane).copied().unwrap_or(0)))
+                };
+                Ok(scalars.into_iter().map(load).collect())
             }
         }
     }
 
-    /// Reads what a pointer points to.
-    pub(super) fn load(&self, pointer: &Pointer) -> Result<Value<M>> {
-        let kinds = self.pointee_kinds(pointer.ty)?;
-        let mut columns = Vec::with_capacity(kinds.len());
-        for (k, kind) in kinds.iter().enumerate() {
-            columns.push(match (pointer.root, &pointer.offset) {
-                (Root::Private(variable), super::value::Offset::Same(offset)) => {
-                    self.private[variable][offset + k].clone()
+    /// Writes `value` where `pointer` leads, in the lanes of `mask`, one after the other.
+    pub(super) fn store(
+        &mut self,
+        m: &M,
+        types: Types<'_>,
+        pointer: &Pointer,
+        value: &[Leaf<M>],
+        mask: &Mask,
+    ) -> Res<()> {
+        let scalars = types.scalars(pointer.pointee, self.packing(pointer.root))?;
+        for ((_, at), leaf) in scalars.into_iter().zip(value) {
+            match (pointer.root, pointer.offset.plus(at)) {
+                (Root::Lane(id), Offset::Uniform(at)) => {
+                    self.lane[id].get_mut(at as usize).ok_or(OUTSIDE)?.blend(leaf, mask)?;
                 }
-                (Root::Private(variable), super::value::Offset::Each(offsets)) => {
-                    let mut column = Column::zero(*kind, self.lanes);
-                    for (i, offset) in offsets.iter().enumerate() {
-                        column.copy_lane(&self.private[variable][offset + k], i);
-                    }
-                    column
-                }
-                (Root::Shared(variable), offset) => {
-                    let cells = self.shared.get(variable)?;
-                    let mut column = Column::zero(*kind, self.lanes);
-                    for i in 0..self.lanes {
-                        if let Some(cell) = cells.get(offset.lane(i) + k) {
-                            cell.put(&mut column, i);
-                        }
-                    }
-                    column
-                }
-            });
-        }
-        Ok(Rc::new(columns))
-    }
-
-    /// Writes what a pointer points to, in the lanes of `mask`.
-    pub(super) fn store(&mut self, pointer: &Pointer, value: &Value<M>, mask: &[bool]) -> Result<()> {
-        for (k, column) in value.iter().enumerate() {
-            match (pointer.root, &pointer.offset) {
-                (Root::Private(variable), super::value::Offset::Same(offset)) => {
-                    self.private[variable][offset + k].store(column, mask)?;
-                }
-                (Root::Private(variable), super::value::Offset::Each(offsets)) => {
-                    for (i, offset) in offsets.iter().enumerate().filter(|(i, _)| mask[*i]) {
-                        self.private[variable][offset + k].copy_lane(column, i);
+                (Root::Lane(id), Offset::Lanes(at)) => {
+                    for lane in mask.lanes() {
+                        let target = self.lane[id].get_mut(at[lane] as usize).ok_or(OUTSIDE)?;
+                        target.set_lane(leaf, lane)?;
                     }
                 }
-                (Root::Shared(variable), offset) => {
-                    let cells = self.shared.get_mut(variable)?;
-                    for i in (0..self.lanes).filter(|&i| mask[i]) {
-                        if let Some(cell) = cells.get_mut(offset.lane(i) + k) {
-                            *cell = Cell::of(column, i);
+                (Root::Shared(id), offset) => {
+                    let bits = leaf.value_bits(m);
+                    for lane in mask.lanes() {
+                        if let Some(word) = self.shared[id].words.get_mut(offset.at(lane) as usize) {
+                            *word = bits[lane];
                         }
                     }
                 }
@@ -150,62 +153,46 @@ impl<'m, M: Model> Executor<'m, M> {
         Ok(())
     }
 
-    /// Updates an atomic, lane after lane; returns the former values.
-    pub(super) fn atomic(
+    /// Replaces the word behind an atomic pointer by `f(lane, word)`, lane after lane; returns the former words.
+    pub(super) fn update(
         &mut self,
-        frame: &mut Frame<'m, M>,
         pointer: &Pointer,
-        fun: &AtomicFunction,
-        value: &Value<M>,
-        signed: bool,
-    ) -> Result<Value<M>> {
-        let compare = match fun {
-            AtomicFunction::Exchange { compare: Some(_) } => {
-                return Err(Fault::Unsupported("atomicCompareExchangeWeak".to_owned()));
+        mask: &Mask,
+        lanes: usize,
+        f: impl Fn(usize, u32) -> u32,
+    ) -> Res<Vec<u32>> {
+        let Root::Shared(id) = pointer.root else {
+            return Err(InterpError::Malformed("an atomic lies in workgroup or storage memory"));
+        };
+        let mut former = vec![0; lanes];
+        for lane in mask.lanes() {
+            if let Some(word) = self.shared[id].words.get_mut(pointer.offset.at(lane) as usize) {
+                former[lane] = std::mem::replace(word, f(lane, *word));
             }
-            fun => fun,
-        };
-        let operands = value[0].words()?;
-        let Root::Shared(variable) = pointer.root else { return Err(Internal::Kind.into()) };
-        let cells = self.shared.get_mut(variable)?;
-        let mut former = Column::zero(Kind::W, operands.len());
-        for (i, operand) in operands.iter().enumerate().filter(|(i, _)| frame.flow.live[*i]) {
-            let Some(cell) = cells.get_mut(pointer.offset.lane(i)) else { continue };
-            let Cell::W(old) = *cell else { return Err(Internal::Kind.into()) };
-            Cell::<M>::W(old).put(&mut former, i);
-            *cell = Cell::W(M::w2(old, *operand, |old, new| updated(compare, old, new, signed)));
         }
-        Ok(Rc::new(vec![former]))
-    }
-
-    /// Elements of the array that a pointer points to.
-    pub(super) fn array_length(&self, pointer: &Pointer) -> Result<usize> {
-        let module = self.module.module();
-        let Pointee::Type(ty) = pointer.ty else { return Err(Internal::Kind.into()) };
-        let TypeInner::Array { base, size, .. } = module.types[ty].inner else {
-            return Err(Internal::Kind.into());
-        };
-        if let Some(n) = super::value::fixed(size)? {
-            return Ok(n);
-        }
-        let Root::Shared(variable) = pointer.root else { return Err(Internal::Kind.into()) };
-        // A runtime array is the last thing in its variable.
-        let rest = self.shared.get(variable)?.len().saturating_sub(pointer.offset.lane(0));
-        Ok(rest / width(module, &module.types[base].inner)?.max(1))
+        Ok(former)
     }
 }
 
-fn updated(fun: &AtomicFunction, old: u32, new: u32, signed: bool) -> u32 {
-    match fun {
-        AtomicFunction::Add => old.wrapping_add(new),
-        AtomicFunction::Subtract => old.wrapping_sub(new),
-        AtomicFunction::And => old & new,
-        AtomicFunction::ExclusiveOr => old ^ new,
-        AtomicFunction::InclusiveOr => old | new,
-        AtomicFunction::Min if signed => (old as i32).min(new as i32) as u32,
-        AtomicFunction::Min => old.min(new),
-        AtomicFunction::Max if signed => (old as i32).max(new as i32) as u32,
-        AtomicFunction::Max => old.max(new),
-        AtomicFunction::Exchange { .. } => new,
+fn load_lane<M: Model>(variable: &[Leaf<M>], offset: &Offset, lanes: usize) -> Res<Leaf<M>> {
+    match offset {
+        Offset::Uniform(at) => variable.get(*at as usize).cloned().ok_or(OUTSIDE),
+        Offset::Lanes(at) => {
+            let last = variable.len().checked_sub(1).ok_or(OUTSIDE)?;
+            // Only the stretch that some lane reads is looked at.
+            let (low, high) = at.iter().fold((last, 0), |(l, h), a| (l.min(*a as usize), h.max(*a as usize)));
+            let sources: Vec<_> = variable[low..=high.min(last)].iter().collect();
+            gather_same(&sources, lanes, |lane| (at[lane] as usize).min(last) - low)
+        }
     }
+}
+
+/// A gather from a stretch of a variable: scalars of other kinds may lie between those that are meant.
+fn gather_same<M: Model>(sources: &[&Leaf<M>], lanes: usize, index: impl Fn(usize) -> usize) -> Res<Leaf<M>> {
+    let wanted = sources.get(if lanes == 0 { 0 } else { index(0) }).ok_or(OUTSIDE)?;
+    let fitting: Vec<_> = sources
+        .iter()
+        .map(|s| if std::mem::discriminant(*s) == std::mem::discriminant(*wanted) { *s } else { *wanted })
+        .collect();
+    Leaf::gather(&fitting, lanes, index)
 }

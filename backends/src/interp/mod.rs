@@ -1,291 +1,174 @@
-//! The CPU interpreter: naga IR over lanes, structure of arrays.
+//! The CPU executor: naga IR, lane by lane.
 //!
-//! A value is a column for each of its scalars, a column holds that scalar in all lanes; an operation is
-//! chosen once and then runs over its columns.
-//! Control flow masks lanes ([`exec`], [`control`]).
-//! The interpreter is written once over a [`model`] of what a lane holds:
-//! - `Strict`, IEEE f32 by the functions of `lobe_codegen::math`, bit for bit what the native form does;
-//! - `Shadow`, which carries beside each f32 the real value and a bound on what a legal driver may
-//!   return ([`shadow`]), and follows both sides of a branch that may be decided either way ([`join`]).
+//! One machine (`exec`) walks statements and expressions for a batch of lanes; what a lane's numbers are
+//! is a model's business (`model`).
+//! Three models answer three questions:
+//!
+//! - *strict* ([`Interpreter::call`], [`Interpreter::run`]): what are the results in IEEE f32, each operation
+//!   as [`lobe_codegen::math`] has it?
+//!   They equal the native functions' bit for bit, since both call the same functions in the same order.
+//! - *shadow* ([`Interpreter::shadow`]): what is the exact result, and how far from it may any driver be
+//!   that keeps the shading languages' accuracy rules?
+//! - *perturbed* ([`Interpreter::perturbed`]): what does one such driver return, drawn by chance?
+//!   It is how the bounds are put to the test.
+//!
+//! Integers are as in WGSL: wrapping, `x / 0 = x`, `x % 0 = 0`, shifts by the lower five bits, conversions
+//! saturate; indices out of bounds are clamped.
 
-mod control;
-mod entry;
+mod batch;
+mod dispatch;
 mod error;
 mod exec;
-mod expr;
-mod join;
-mod math;
-mod matrix;
+mod formula;
+mod layout;
+mod leaf;
+mod mask;
 mod memory;
 mod model;
-mod operator;
+mod perturbed;
 mod shadow;
-mod value;
+mod strict;
 
+pub use dispatch::Buffer;
 pub use error::InterpError;
 
-use exec::{Executor, Notes};
+use batch::Batch;
 use lobe_codegen::ValidModule;
 use lobe_codegen::data::Columns;
-use model::{Model, Strict};
 use naga::{Function, Handle};
 use rayon::prelude::*;
-use shadow::{Real, Shadow};
-use std::rc::Rc;
-use value::{Column, Kind, Slot, Value, kinds};
 
-/// Lanes of a batch: a column of f32 fills 2 KiB, so that a function's values stay in the cache.
-const BATCH: usize = 512;
+/// Rows that are computed together.
+const LANES: usize = 256;
 
-/// Interprets one module.
-#[derive(Debug, Clone, Copy)]
+/// Rounds of loops that a batch may run, unless [`Interpreter::with_fuel`] says otherwise.
+const FUEL: u64 = 1 << 24;
+
+/// Executes the functions and entry points of a module.
+#[derive(Debug, Clone)]
 pub struct Interpreter<'m> {
     module: &'m ValidModule,
+    fuel: u64,
 }
 
-/// Memory behind a binding, in WGSL's layout.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Buffer {
-    /// Bind group.
-    pub group: u32,
-    /// Binding.
-    pub binding: u32,
-    /// Its bytes.
-    pub data: Vec<u8>,
-}
-
-/// What the shadow lane knows of a function's results.
-#[derive(Debug, Clone, Default)]
+/// Results of the shadow lane.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ShadowColumns {
-    /// A column for each scalar of the result.
+    /// One for each scalar of the result.
     pub columns: Vec<ShadowColumn>,
-    /// Rows.
+    /// Number of rows.
     pub rows: usize,
-    /// Rows that met a condition which legal drivers may decide either way; both ways are in the bound.
+    /// Rows that met a decision which drivers may take either way; both ways were followed and joined.
     pub ambiguous: Vec<bool>,
-    /// Rows without a bound for a reason other than arithmetic.
+    /// Rows without bound for a reason other than arithmetic: an ambiguous exit of a loop, the bits of an
+    /// inexact number, an index that is not known.
     pub indeterminate: Vec<bool>,
 }
 
-/// One scalar of the results.
-#[derive(Debug, Clone)]
+/// One scalar of the result in all rows.
+#[derive(Debug, Clone, PartialEq)]
 pub enum ShadowColumn {
-    /// A float.
+    /// Floats.
     Float {
-        /// The strict f32 result.
+        /// In strict f32.
         value: Vec<f32>,
-        /// The real value.
+        /// Of the formula in real numbers, along the decisions that these take.
         exact: Vec<f64>,
-        /// Distance of a legal result from it; infinite when nothing is promised.
+        /// Largest distance from `exact` of any permitted driver's result; infinite when there is none.
         bound: Vec<f64>,
     },
-    /// An integer or boolean.
+    /// Integers and booleans.
     Word {
-        /// The strict result.
+        /// In strict f32.
         value: Vec<u32>,
-        /// Whether every legal driver has it.
+        /// Whether every permitted driver returns `value`.
         known: Vec<bool>,
     },
 }
 
 impl<'m> Interpreter<'m> {
-    /// Takes a module.
+    /// An interpreter of `module`.
     ///
     /// # Errors
-    /// None now; a function that cannot be interpreted is refused when it is called.
+    /// None yet: what is not supported is reported when it is met.
     pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
-        Ok(Self { module })
+        Ok(Self { module, fuel: FUEL })
     }
 
-    /// Calls a function on every row, in strict f32.
+    /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
+    #[must_use]
+    pub fn with_fuel(self, rounds: u64) -> Self {
+        Self { fuel: rounds, ..self }
+    }
+
+    /// Calls function `f` on every row, in strict f32: one column of words for each scalar of the arguments,
+    /// likewise for the result.
     ///
     /// # Errors
-    /// When the columns do not fit the parameters, or the function does what this interpreter refuses.
-    pub fn call(&self, function: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
-        let batches = self.batches::<Strict, Columns>(function, args, None, |result, _, rows| Columns {
-            rows,
-            columns: result.iter().map(strict_words).collect(),
-        })?;
-        let mut out = Columns::default();
-        for batch in batches {
-            if out.columns.is_empty() && out.rows == 0 {
-                out = batch;
-            } else {
-                out.append(&batch);
-            }
-        }
-        Ok(out)
+    /// When the columns do not fit the parameters, the function does something that the interpreter does not
+    /// execute, or a loop does not end.
+    pub fn call(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
+        self.plain(f, args, |_| strict::Strict)
     }
 
-    /// Calls a function on every row in the shadow lane. `exact` are the real values of the arguments, a
-    /// column for each scalar, of which those of integers are not read; without it they are the f32.
+    /// Calls `f` as a permitted driver would that errs by chance; the same seed gives the same results.
     ///
     /// # Errors
     /// As [`Interpreter::call`].
-    pub fn shadow(
+    pub fn perturbed(&self, f: Handle<Function>, args: &Columns, seed: u64) -> Result<Columns, InterpError> {
+        self.plain(f, args, |chunk| {
+            perturbed::Perturbed::new(seed ^ (chunk as u64).wrapping_mul(0x5851_f42d_4c95_7f2d))
+        })
+    }
+
+    fn plain<M: model::Model>(
         &self,
-        function: Handle<Function>,
+        f: Handle<Function>,
         args: &Columns,
-        exact: Option<&[Vec<f64>]>,
-    ) -> Result<ShadowColumns, InterpError> {
-        let batches = self.batches::<Shadow, ShadowColumns>(function, args, exact, shadow_batch)?;
-        let mut out = ShadowColumns::default();
-        for batch in batches {
-            out.append(batch);
-        }
+        model: impl Fn(usize) -> M + Sync,
+    ) -> Result<Columns, InterpError> {
+        let signature = batch::Signature::of(self.module, f, args, None)?;
+        let chunks = batch::chunks(args.rows).into_par_iter();
+        let parts = chunks
+            .map(|range| Batch::new(self.module, model(range.start), self.fuel, &signature).words(range))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut out = Columns::zeros(signature.results.len(), 0);
+        parts.iter().for_each(|part| out.append(part));
         Ok(out)
     }
 
-    /// Cuts the rows into batches and calls the function on each, in parallel.
-    fn batches<M: Model, R: Send>(
+    /// Calls `f` on every row with the exact value and a bound beside each float.
+    ///
+    /// `exact` holds the exact values of the arguments' scalars (those of integers are ignored): the bound
+    /// then allows for the difference. Without it arguments are exactly their f32.
+    ///
+    /// # Errors
+    /// As [`Interpreter::call`], except that a loop that does not end makes its rows indeterminate.
+    pub fn shadow(
         &self,
-        function: Handle<Function>,
+        f: Handle<Function>,
         args: &Columns,
         exact: Option<&[Vec<f64>]>,
-        finish: impl Fn(&[Column<M>], &Notes, usize) -> R + Sync,
-    ) -> Result<Vec<R>, InterpError> {
-        let kinds = self.parameter_kinds(function)?;
-        let name = self.name(function);
-        let expected = kinds.iter().map(Vec::len).sum();
-        if expected != args.width() {
-            return Err(InterpError::Arguments { function: name, expected, found: args.width() });
-        }
-        // One empty batch gives no rows the right columns.
-        let starts: Vec<usize> =
-            if args.rows == 0 { vec![0] } else { (0..args.rows).step_by(BATCH).collect() };
-        starts
-            .into_par_iter()
-            .map(|start| {
-                let rows = start..(start + BATCH).min(args.rows);
-                let lanes = rows.len();
-                let slots = arguments::<M>(&kinds, args, exact, rows);
-                let mut executor = Executor::<M>::new(self.module, lanes);
-                let result = executor
-                    .call(function, slots, &vec![true; lanes])
-                    .map_err(|fault| fault.within(&name))?
-                    .unwrap_or_default();
-                Ok(finish(&result, &executor.notes, lanes))
-            })
-            .collect()
+    ) -> Result<ShadowColumns, InterpError> {
+        let signature = batch::Signature::of(self.module, f, args, exact)?;
+        let chunks = batch::chunks(args.rows).into_par_iter();
+        let parts = chunks
+            .map(|range| Batch::new(self.module, shadow::Shadow, self.fuel, &signature).shadow(range))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut out = batch::no_rows(&signature.results);
+        parts.into_iter().for_each(|part| batch::append(&mut out, part));
+        Ok(out)
     }
 
-    fn name(&self, function: Handle<Function>) -> String {
-        self.module.module().functions[function].name.clone().unwrap_or_else(|| "a function".to_owned())
-    }
-
-    /// The kinds of the scalars of each parameter.
-    fn parameter_kinds(&self, function: Handle<Function>) -> Result<Vec<Vec<Kind>>, InterpError> {
-        let module = self.module.module();
-        module.functions[function]
-            .arguments
-            .iter()
-            .map(|argument| {
-                let mut out = Vec::new();
-                kinds(module, &module.types[argument.ty].inner, &mut out)
-                    .map_err(|fault| fault.within(&self.name(function)))?;
-                Ok(out)
-            })
-            .collect()
-    }
-}
-
-/// The arguments of some rows.
-fn arguments<M: Model>(
-    kinds: &[Vec<Kind>],
-    args: &Columns,
-    exact: Option<&[Vec<f64>]>,
-    rows: std::ops::Range<usize>,
-) -> Vec<Slot<M>> {
-    let mut next = 0;
-    let mut column = |kind: Kind| {
-        let words = &args.columns[next][rows.clone()];
-        let exact = exact.and_then(|e| e.get(next)).map(|e| &e[rows.clone()]);
-        next += 1;
-        match kind {
-            Kind::F => Column::F(
-                words
-                    .iter()
-                    .enumerate()
-                    .map(|(i, &w)| {
-                        let value = f32::from_bits(w);
-                        M::float(value, exact.map_or(value.into(), |e| e[i]))
-                    })
-                    .collect(),
-            ),
-            Kind::W => Column::W(words.iter().map(|&w| M::word(w)).collect()),
-            Kind::B => Column::B(words.iter().map(|&w| M::bool(w != 0)).collect()),
-        }
-    };
-    kinds
-        .iter()
-        .map(|kinds| {
-            let value: Value<M> = Rc::new(kinds.iter().map(|&k| column(k)).collect());
-            Slot::Value(value)
-        })
-        .collect()
-}
-
-fn strict_words(column: &Column<Strict>) -> Vec<u32> {
-    match column {
-        Column::F(lanes) => lanes.iter().map(|x| x.to_bits()).collect(),
-        Column::W(lanes) => lanes.clone(),
-        Column::B(lanes) => lanes.iter().map(|&b| b.into()).collect(),
-    }
-}
-
-fn shadow_batch(result: &[Column<Shadow>], notes: &Notes, rows: usize) -> ShadowColumns {
-    let column = |column: &Column<Shadow>| match column {
-        Column::F(lanes) => ShadowColumn::Float {
-            value: lanes.iter().map(|x| x.value).collect(),
-            exact: lanes.iter().map(|x| x.exact).collect(),
-            bound: lanes.iter().zip(&notes.indeterminate).map(|(x, &lost)| bound(x, lost)).collect(),
-        },
-        Column::W(lanes) => ShadowColumn::Word {
-            value: lanes.iter().map(|x| x.value).collect(),
-            known: lanes.iter().zip(&notes.indeterminate).map(|(x, &lost)| x.known && !lost).collect(),
-        },
-        Column::B(lanes) => ShadowColumn::Word {
-            value: lanes.iter().map(|x| x.value.into()).collect(),
-            known: lanes.iter().zip(&notes.indeterminate).map(|(x, &lost)| !x.ambiguous && !lost).collect(),
-        },
-    };
-    ShadowColumns {
-        columns: result.iter().map(column).collect(),
-        rows,
-        ambiguous: notes.ambiguous.clone(),
-        indeterminate: notes.indeterminate.clone(),
-    }
-}
-
-fn bound(x: &Real, indeterminate: bool) -> f64 {
-    if indeterminate { f64::INFINITY } else { x.bound }
-}
-
-impl ShadowColumns {
-    fn append(&mut self, more: Self) {
-        if self.columns.is_empty() && self.rows == 0 {
-            *self = more;
-            return;
-        }
-        self.rows += more.rows;
-        self.ambiguous.extend(more.ambiguous);
-        self.indeterminate.extend(more.indeterminate);
-        for (to, from) in self.columns.iter_mut().zip(more.columns) {
-            match (to, from) {
-                (
-                    ShadowColumn::Float { value, exact, bound },
-                    ShadowColumn::Float { value: v, exact: e, bound: b },
-                ) => {
-                    value.extend(v);
-                    exact.extend(e);
-                    bound.extend(b);
-                }
-                (ShadowColumn::Word { value, known }, ShadowColumn::Word { value: v, known: k }) => {
-                    value.extend(v);
-                    known.extend(k);
-                }
-                (ShadowColumn::Float { .. } | ShadowColumn::Word { .. }, _) => {}
-            }
-        }
+    /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers are updated
+    /// in place.
+    ///
+    /// The invocations of a workgroup run in lockstep, workgroups one after the other.
+    ///
+    /// # Errors
+    /// When there is no such entry point, a buffer lacks or is too small, the entry point does something that
+    /// the interpreter does not execute, a barrier is not uniform, or a loop does not end.
+    pub fn run(&self, entry: usize, groups: [u32; 3], buffers: &mut [Buffer]) -> Result<(), InterpError> {
+        dispatch::run(self.module, self.fuel, entry, groups, buffers)
     }
 }

@@ -34,6 +34,7 @@ impl Translator<'_> {
             let stmt = self.expr_stmt(e);
             return quote!(::lobe_codegen::def::Block { stmts: &[#stmt], value: None });
         }
+        self.refuse_alias(e);
         let value = self.expr(e);
         quote!(::lobe_codegen::def::Block { stmts: &[], value: Some(&#value) })
     }

@@ -30,6 +30,7 @@ impl Translator<'_> {
         for (i, stmt) in block.stmts.iter().enumerate() {
             match stmt {
                 Stmt::Expr(e, None) if i + 1 == block.stmts.len() && !is_statement(e) => {
+                    self.refuse_alias(e);
                     let e = self.expr(e);
                     value = quote!(Some(&#e));
                 }
@@ -71,6 +72,7 @@ impl Translator<'_> {
                 if let Some((_, diverge)) = &init.diverge {
                     self.errors.refuse(diverge, "`let .. else`", "test with `if` and return");
                 }
+                self.refuse_alias(&init.expr);
                 let e = self.expr(&init.expr);
                 quote!(Some(#e))
             }
@@ -106,10 +108,22 @@ impl Translator<'_> {
         }
     }
 
+    /// Notes a second name for memory: what Rust would write through it, a shader would write to a copy.
+    pub(crate) fn refuse_alias(&mut self, e: &Expr) {
+        if let Expr::Path(p) = e
+            && let Some(local) = p.path.get_ident().and_then(|name| self.scope.find(name))
+            && self.scope.is_binding(local)
+        {
+            let instead = "use the parameter itself, or write `*name` for a copy of its value";
+            self.errors.refuse(e, "a second name for memory", instead);
+        }
+    }
+
     /// An expression that stands as a statement.
     pub(crate) fn expr_stmt(&mut self, e: &Expr) -> TokenStream {
         let kind = match e {
             Expr::Assign(a) => {
+                self.refuse_alias(&a.right);
                 let (place, value) = (self.expr(&a.left), self.expr(&a.right));
                 quote!(Assign { place: #place, op: None, value: #value })
             }

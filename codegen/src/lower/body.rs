@@ -29,6 +29,8 @@ pub(super) struct BodyBuilder<'m> {
     pub(super) nesting: Vec<Nesting>,
     /// Flags of the innermost loop, to be cleared before it starts.
     pub(super) resets: Vec<Place>,
+    /// The statement being lowered.
+    pub(super) at: Span,
     spans: Spans,
     blocks: Vec<Open>,
     /// Expressions appended and not yet in an `Emit` statement: first and last.
@@ -72,6 +74,7 @@ impl<'m> BodyBuilder<'m> {
             locals: vec![Local::Unset; def.locals.len()],
             nesting: Vec::new(),
             resets: Vec::new(),
+            at: def.span,
             spans,
             blocks: vec![Open::default()],
             pending: None,
@@ -273,9 +276,9 @@ impl<'m> BodyBuilder<'m> {
     pub(super) fn variable(&mut self, name: Option<&str>, ty: &TypeDef) -> Place {
         let naga_ty = self.modules.ty(ty);
         let variable = naga::LocalVariable { name: name.map(str::to_owned), ty: naga_ty, init: None };
-        let span = self.spans.naga(self.def.span);
+        let span = self.spans.naga(self.at);
         let handle = self.function.local_variables.append(variable, span);
-        let pointer = self.append(Expression::LocalVariable(handle), self.def.span);
+        let pointer = self.append(Expression::LocalVariable(handle), self.at);
         Place { pointer, ty: *ty }
     }
 

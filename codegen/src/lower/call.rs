@@ -161,7 +161,7 @@ fn signature(shape: Shape, values: &[Value]) -> Option<TypeDef> {
         Shape::Cross => same(2) && first == TypeDef::Vector(3, Scalar::F32),
         Shape::Refract => is_float_vector && types[1..] == [first, F32],
         Shape::Transpose => types.len() == 1 && matches!(first, TypeDef::Matrix(..)),
-        Shape::Select => types[1..] == [first, BOOL],
+        Shape::Select => kind.is_some() && types[1..] == [first, BOOL],
         Shape::Relational => same(1) && kind == Some(Scalar::Bool) && first != BOOL,
         Shape::AtomicLoad | Shape::AtomicStore | Shape::AtomicUpdate | Shape::Barrier => false,
     };

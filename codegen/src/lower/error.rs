@@ -120,3 +120,30 @@ impl<'a> Files<'a> for Excerpt<'a> {
         Ok(self.line_start(index)..self.line_start(index + 1))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SPAN: Span = Span { start: (7, 4), end: (7, 9) };
+
+    #[test]
+    fn a_caret_stands_below_the_characters_of_the_span() {
+        let source = Source { file: "a.rs", line: 6, text: "fn f() {\n    αβγ + x\n}" };
+        let text = render("wrong", &source, &[(SPAN, "here".to_owned())]);
+        assert!(text.contains("a.rs:7:5"), "{text}");
+        assert!(text.contains("^^^^^ here"), "{text}");
+    }
+
+    /// The file may have changed, or not be there, when the macro looks for its text.
+    #[test]
+    fn a_text_that_does_not_hold_the_span_is_survived() {
+        for text in ["", "x", "x\n", "\n\n\n"] {
+            let source = Source { file: "a.rs", line: 6, text };
+            let rendered = render("wrong", &source, &[(SPAN, String::new())]);
+            assert!(rendered.contains("wrong") && rendered.contains("a.rs"), "{rendered}");
+        }
+        let later = Source { file: "a.rs", line: 100, text: "x" };
+        assert!(render("wrong", &later, &[(SPAN, String::new())]).contains("a.rs"));
+    }
+}

@@ -35,7 +35,7 @@ impl BodyBuilder<'_> {
             ExprKind::Local(_) | ExprKind::Field(..) | ExprKind::Index(..) => self.read(e),
             ExprKind::Constant(def) => {
                 let def = def();
-                let handle = self.modules.constant(def)?;
+                let handle = self.modules.constant(def).map_err(|error| self.stop(error))?;
                 Ok(self.value(def.ty, Expression::Constant(handle), e.span))
             }
             ExprKind::TypeConstant(ty, name) => self.type_constant(ty, name, e.span),

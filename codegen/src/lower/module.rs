@@ -190,7 +190,10 @@ impl ModuleBuilder {
     }
 
     /// The naga constant of `def`.
-    pub(super) fn constant(&mut self, def: &'static ConstantDef) -> Lowered<Handle<naga::Constant>> {
+    pub(super) fn constant(
+        &mut self,
+        def: &'static ConstantDef,
+    ) -> Result<Handle<naga::Constant>, LowerError> {
         if let Some(handle) = self.constants.get(&std::ptr::from_ref(def)) {
             return Ok(*handle);
         }
@@ -198,7 +201,9 @@ impl ModuleBuilder {
             self.note_clash(def.name, &def.source, def.span, message);
         }
         let ty = self.ty(&def.ty);
-        let init = self.constant_value(def, &def.ty, &def.value)?;
+        let init = self
+            .constant_value(def, &def.ty, &def.value)
+            .map_err(|fail| fail.in_source(def.name, &def.source))?;
         if let (Some(exact), ConstantValue::F32(value)) = (def.exact, def.value)
             && f64::from(value) != exact
         {

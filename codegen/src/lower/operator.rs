@@ -38,10 +38,16 @@ impl BodyBuilder<'_> {
         }
         // A comparison's operands are of their own type, not of the one expected of its outcome.
         let hint = if compares(op) || is_logical { None } else { expected };
-        let peeked = if hint.is_none() && !is_logical { self.peek_pair(op, left, right) } else { None };
-        let hint = hint.or(peeked.as_ref());
+        // What stands on the other side tells more than what is expected of the whole.
+        let peeked = if is_logical { None } else { self.peek_pair(op, left, right) };
+        let hint = peeked.as_ref().or(hint);
         let l = self.expr_expecting(left, hint)?;
-        let r = self.expr_expecting(right, (!l.is_undecided()).then_some(&l.ty).or(hint))?;
+        let right_hint = match op {
+            BinaryOp::ShiftLeft | BinaryOp::ShiftRight => Some(&U32),
+            _ if l.is_undecided() => hint,
+            _ => Some(&l.ty),
+        };
+        let r = self.expr_expecting(right, right_hint)?;
         self.binary(op, l, r, span)
     }
 

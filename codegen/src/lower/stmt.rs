@@ -2,7 +2,7 @@
 
 use super::body::{BodyBuilder, Local};
 use super::error::{Fail, Lowered};
-use super::value::Sink;
+use super::value::{Sink, Value};
 use crate::def::{BinaryOp, Block, Expr, ExprKind, Span, Stmt, StmtKind, TypeDef};
 use naga::Statement;
 
@@ -23,6 +23,7 @@ impl BodyBuilder<'_> {
     }
 
     fn stmt(&mut self, stmt: &'static Stmt) -> Lowered<()> {
+        self.at = stmt.span;
         match &stmt.kind {
             StmtKind::Let { local, ty, init } => self.let_stmt(*local, ty.as_ref(), init.as_ref(), stmt.span),
             StmtKind::Assign { place, op, value } => self.assign(place, *op, value, stmt.span),
@@ -72,6 +73,9 @@ impl BodyBuilder<'_> {
             let mut sink = Sink::Variable { name, expected, place: None };
             self.expr_into(init, &mut sink)?;
             if let Sink::Variable { place: Some(place), .. } = sink {
+                if let Some(ty) = ty {
+                    self.fit(Value::expr(place.ty, place.pointer), ty, init.span)?;
+                }
                 self.locals[local as usize] = Local::Memory(place);
             }
             return Ok(());
@@ -161,11 +165,10 @@ impl BodyBuilder<'_> {
             }
             Sink::Variable { name, expected, place } => {
                 let wanted = place.map(|p| p.ty).or(*expected);
-                let value = self.expr_expecting(e, wanted.as_ref())?;
-                let value = match &wanted {
-                    Some(ty) => self.fit(value, ty, e.span)?,
-                    None => value,
-                };
+                let mut value = self.expr_expecting(e, wanted.as_ref())?;
+                if let Some(place) = place {
+                    value = self.fit(value, &place.ty, e.span)?;
+                }
                 let target = match *place {
                     Some(target) => target,
                     None => {

@@ -133,7 +133,7 @@ pub(super) enum Sink {
     Variable {
         /// What to call it.
         name: Option<&'static str>,
-        /// The type that it should have, if that is known.
+        /// A type to take for integers without suffix; another may turn out.
         expected: Option<TypeDef>,
         /// Once made.
         place: Option<Place>,

@@ -44,12 +44,35 @@ fn in_places(n: u32) -> u32 {
     a[0] + a[1] + a[2] + v.x
 }
 
+/// What is expected of a product is not what its scalar factor is.
+#[kernel]
+fn mixed_shapes(v: Vec3, w: UVec3, p: bool) -> Vec3 {
+    let s = v * if p { 2.0 } else { v.x };
+    let u = w * if p { 2 } else { 3 } + if p { 1 } else { w.x };
+    s * u.x as f32
+        * match u.y {
+            0 => 1.0,
+            _ => 0.5,
+        }
+}
+
+/// The left side of a shift says nothing about the right one.
+#[kernel]
+fn shift_of_other_type(n: i32, k: u32) -> i32 {
+    n >> ({
+        let two = 2;
+        two | k
+    } & 7)
+}
+
 #[test]
 fn integers_take_the_type_of_their_use() {
     agrees(kernels![from_use][0]);
     agrees(kernels![from_the_right][0]);
     agrees(kernels![from_a_later_branch][0]);
     agrees(kernels![in_places][0]);
+    agrees(kernels![mixed_shapes][0]);
+    agrees(kernels![shift_of_other_type][0]);
 }
 
 #[kernel]

@@ -20,6 +20,7 @@
 
 mod check;
 mod evaluate;
+mod generate;
 mod operation;
 
 mod calls;
@@ -34,5 +35,8 @@ mod mistakes;
 mod names;
 mod operators;
 mod order;
+#[rustfmt::skip]
+#[allow(warnings, clippy::all, reason = "nobody wrote it")]
+mod random;
 mod structures;
 mod vectors;

@@ -61,9 +61,45 @@ fn contracts_speak_of_what_there_is() {
     assert!(refusal(kernels![budget_of_no_field][0]).contains("Sg has no part `width`"));
 }
 
+#[kernel]
+fn chosen(a: Sg, b: Sg, p: bool) -> Sg {
+    select(a, b, p)
+}
+
 #[test]
 fn mistakes_are_shown_at_their_columns() {
+    points_at(&refusal(kernels![chosen][0]), "`select` does not take (Sg, Sg, bool)", "select(a, b, p)");
     points_at(&refusal(kernels![compares_structures][0]), "cannot compare Sg with Sg", "a == b");
+}
+
+mod elsewhere {
+    use lobe_codegen::prelude::*;
+
+    #[kernel]
+    pub(crate) const ENDLESS: f32 = 1.0 / 0.0;
+
+    #[kernel]
+    pub(crate) fn ordered(p: bool, q: bool) -> bool {
+        p < q
+    }
+}
+
+#[kernel]
+fn uses_endless(x: f32) -> f32 {
+    x * elsewhere::ENDLESS
+}
+
+#[kernel]
+fn calls_ordered(p: bool) -> bool {
+    !elsewhere::ordered(p, true)
+}
+
+/// The mistake is where the item stands, not where it is used.
+#[test]
+fn mistakes_of_others_are_shown_at_their_lines() {
+    let message = refusal(kernels![uses_endless][0]);
+    points_at(&message, "`ENDLESS` is not finite", "pub(crate) const ENDLESS: f32 = 1.0 / 0.0;");
+    points_at(&refusal(kernels![calls_ordered][0]), "orders booleans", "p < q");
 }
 
 mod uniform {
@@ -84,6 +120,12 @@ mod uniform {
         found[0] = given[0];
     }
 
+    #[kernel]
+    pub(crate) fn nothing(x: f32) -> f32 {
+        let none = [x; 0];
+        x + none.len() as f32
+    }
+
     #[kernel(workgroup_size(0))]
     pub(crate) fn no_threads(#[storage(0, 0)] found: &mut [f32]) {
         found[0] = 1.0;
@@ -98,6 +140,7 @@ fn what_naga_refuses_is_shown_at_the_rust_line() {
     assert!(message.contains("stride"), "{message}");
     let message = refusal(kernels![uniform::truths][0]);
     points_at(&message, "naga refuses the module", "#[storage(0, 0)] flags: &[bool]");
+    points_at(&refusal(kernels![uniform::nothing][0]), "'nothing' is invalid", "let none = [x; 0];");
     let message = refusal(kernels![uniform::one_place][0]);
     assert!(message.contains("mistakes.rs:") && message.contains('^'), "{message}");
     let message = refusal(kernels![uniform::no_threads][0]);

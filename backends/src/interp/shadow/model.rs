@@ -1,0 +1,181 @@
+//! The shadow lane as a [`Model`].
+
+use super::round::{down, up};
+use super::{Float, Shadow, Truth, Word, boolean, elementary, interval, pieces};
+use crate::interp::model::{Model, Pick};
+use lobe_codegen::math::scalar;
+
+macro_rules! forward {
+    ($($module:ident: $($name:ident($($arg:ident)*)),*;)*) => {
+        $($(fn $name(&self, $($arg: Float),*) -> Float {
+            $module::$name($($arg),*)
+        })*)*
+    };
+}
+
+/// The integers that the f32 number and the exact one convert to.
+fn to_word(value: f32, exact: f64, signed: bool) -> (u32, u32) {
+    if signed {
+        (scalar::to_i32(value) as u32, exact as i32 as u32)
+    } else {
+        (scalar::to_u32(value), exact as u32)
+    }
+}
+
+impl Model for Shadow {
+    const SHADOW: bool = true;
+    type F = Float;
+    type W = Word;
+    type B = Truth;
+
+    fn float(&self, value: f32, exact: f64) -> Float {
+        let x = f64::from(value);
+        if x.is_finite() {
+            Float::closed(value, exact, x.min(exact), x.max(exact))
+        } else {
+            Float::unbounded(value, exact)
+        }
+    }
+    fn value(&self, a: Float) -> f32 {
+        a.value
+    }
+    fn exact(&self, a: Float) -> f64 {
+        a.exact
+    }
+    fn with_truth(&self, a: Float, truth: f64) -> Float {
+        if a.bounded() {
+            Float::closed(a.value, truth, a.low, a.high)
+        } else {
+            Float::unbounded(a.value, truth)
+        }
+    }
+    fn join_f(&self, a: Float, b: Float, pick: Pick) -> Float {
+        let value = if pick.value { a.value } else { b.value };
+        let exact = if pick.exact { a.exact } else { b.exact };
+        Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high) }
+    }
+
+    fn word(&self, value: u32) -> Word {
+        Word { value, exact: value, known: true }
+    }
+    fn word_value(&self, a: Word) -> u32 {
+        a.value
+    }
+    fn word_exact(&self, a: Word) -> u32 {
+        a.exact
+    }
+    fn known(&self, a: Word) -> bool {
+        a.known
+    }
+    fn word_parts(&self, value: u32, exact: u32) -> Word {
+        Word { value, exact, known: value == exact }
+    }
+    fn forget(&self, a: Word) -> Word {
+        Word { known: false, ..a }
+    }
+    fn map_w(&self, a: Word, f: impl Fn(u32) -> u32) -> Word {
+        Word { value: f(a.value), exact: f(a.exact), known: a.known }
+    }
+    fn zip_w(&self, a: Word, b: Word, f: impl Fn(u32, u32) -> u32) -> Word {
+        Word { value: f(a.value, b.value), exact: f(a.exact, b.exact), known: a.known && b.known }
+    }
+    fn join_w(&self, a: Word, b: Word, pick: Pick) -> Word {
+        Word {
+            value: if pick.value { a.value } else { b.value },
+            exact: if pick.exact { a.exact } else { b.exact },
+            known: a.known && b.known && a.value == b.value,
+        }
+    }
+
+    fn boolean(&self, value: bool) -> Truth {
+        Truth::sure(value)
+    }
+    fn decision(&self, a: Truth) -> bool {
+        a.value
+    }
+    fn decision_exact(&self, a: Truth) -> bool {
+        a.exact
+    }
+    fn ambiguous(&self, a: Truth) -> bool {
+        a.ambiguous
+    }
+    fn join_b(&self, a: Truth, b: Truth, pick: Pick) -> Truth {
+        Truth {
+            value: if pick.value { a.value } else { b.value },
+            exact: if pick.exact { a.exact } else { b.exact },
+            ambiguous: a.ambiguous || b.ambiguous || a.value != b.value,
+        }
+    }
+    fn not(&self, a: Truth) -> Truth {
+        a.not()
+    }
+    fn and(&self, a: Truth, b: Truth) -> Truth {
+        a.and(b)
+    }
+    fn xor(&self, a: Truth, b: Truth) -> Truth {
+        a.xor(b)
+    }
+
+    fn compare_w(&self, a: Word, b: Word, f: impl Fn(u32, u32) -> bool) -> Truth {
+        Truth { value: f(a.value, b.value), exact: f(a.exact, b.exact), ambiguous: !(a.known && b.known) }
+    }
+    fn less(&self, a: Float, b: Float) -> Truth {
+        boolean::less(a, b)
+    }
+    fn less_equal(&self, a: Float, b: Float) -> Truth {
+        boolean::less_equal(a, b)
+    }
+    fn equal(&self, a: Float, b: Float) -> Truth {
+        boolean::equal(a, b)
+    }
+    fn is_nan(&self, a: Float) -> Truth {
+        Truth { value: a.value.is_nan(), exact: a.exact.is_nan(), ambiguous: !a.bounded() }
+    }
+    fn is_inf(&self, a: Float) -> Truth {
+        Truth { value: a.value.is_infinite(), exact: a.exact.is_infinite(), ambiguous: !a.bounded() }
+    }
+
+    fn to_word(&self, a: Float, signed: bool) -> Word {
+        let (value, exact) = to_word(a.value, a.exact, signed);
+        let (low, high) = (to_word(0.0, a.low, signed).1, to_word(0.0, a.high, signed).1);
+        Word { value, exact, known: a.bounded() && low == high }
+    }
+    fn to_float(&self, a: Word, signed: bool) -> Float {
+        let number = |w: u32| if signed { f64::from(w as i32) } else { f64::from(w) };
+        let (value, exact) = (number(a.value) as f32, number(a.exact));
+        if a.known {
+            Float::closed(value, exact, down(exact), up(exact))
+        } else {
+            Float::unbounded(value, exact)
+        }
+    }
+    fn bits(&self, a: Float) -> Word {
+        let exact = (a.exact as f32).to_bits();
+        // Zero has two signs, and a driver may have either.
+        Word { value: a.value.to_bits(), exact, known: a.is_point() && (a.low != 0.0) }
+    }
+    fn float_of_bits(&self, a: Word) -> Float {
+        let (value, exact) = (f32::from_bits(a.value), f64::from(f32::from_bits(a.exact)));
+        if a.known { self.float(value, exact) } else { Float::unbounded(value, exact) }
+    }
+    fn square(&self, a: Float) -> Float {
+        interval::square(a)
+    }
+    fn nonnegative(&self, a: Float) -> Float {
+        Float { exact: a.exact.max(0.0), low: if a.bounded() { a.low.max(0.0) } else { a.low }, ..a }
+    }
+
+    forward! {
+        interval: add(a b), sub(a b), mul(a b), div(a b), rem(a b), neg(a);
+        pieces: abs(a), min(a b), max(a b), sign(a), ceil(a), floor(a), round(a), trunc(a), fract(a),
+            step(edge x);
+        elementary: sqrt(a), inverse_sqrt(a), exp(a), exp2(a), log(a), log2(a), pow(x y), sin(a), cos(a),
+            tan(x), asin(x), acos(x), atan(a), atan2(y x), sinh(x), cosh(x), tanh(x), asinh(x), acosh(x),
+            atanh(x);
+    }
+
+    fn fma(&self, x: Float, y: Float, z: Float) -> Float {
+        let sum = interval::add(interval::mul(x, y), z);
+        Float { value: scalar::fma(x.value, y.value, z.value), ..sum }
+    }
+}

@@ -1,0 +1,21 @@
+//! The CPU executor: strict results against the native functions, shadow bounds against chance drivers.
+
+#[path = "interp/support.rs"]
+mod support;
+
+#[path = "interp/conformance.rs"]
+mod conformance;
+#[path = "interp/control.rs"]
+mod control;
+#[path = "interp/dispatch.rs"]
+mod dispatch;
+#[path = "interp/integers.rs"]
+mod integers;
+#[path = "interp/memory.rs"]
+mod memory;
+#[path = "interp/shadow.rs"]
+mod shadow;
+#[path = "interp/soundness.rs"]
+mod soundness;
+#[path = "interp/truths.rs"]
+mod truths;

@@ -1,0 +1,184 @@
+//! Control flow: every lane goes its own way.
+
+use crate::support::{call, columns, module, word};
+use lobe_backends::interp::{InterpError, Interpreter};
+
+fn rows(text: &str, native: impl Fn(u32) -> u32) {
+    let args: Vec<u32> = (0..700).collect();
+    let got = call(text, &columns(std::slice::from_ref(&args)));
+    for (a, got) in args.iter().zip(&got.columns[0]) {
+        assert_eq!(*got, native(*a), "{text}\nof {a}");
+    }
+}
+
+#[test]
+fn early_returns_mask_the_rest() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            var x = a;
+            if a % 3u == 0u { if a % 2u == 0u { return 7u; } x += 1u; } else if a % 5u == 0u { return x; }
+            x *= 2u;
+            return x;
+        }",
+        |a| match a {
+            a if a % 6 == 0 => 7,
+            a if a % 3 == 0 => (a + 1) * 2,
+            a if a % 5 == 0 => a,
+            a => a * 2,
+        },
+    );
+}
+
+#[test]
+fn nested_loops_break_continue_and_return() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            var sum = 0u;
+            for (var i = 0u; i < a % 17u; i++) {
+                if i % 3u == 1u { continue; }
+                var j = 0u;
+                loop {
+                    if j > i { break; }
+                    if sum > 90u { return sum + 1000u; }
+                    j++;
+                    if j % 2u == 0u { continue; }
+                    sum += j;
+                    continuing { sum += 1u; break if sum == 40u; }
+                }
+                if i == 11u { break; }
+            }
+            return sum;
+        }",
+        |a| {
+            let mut sum = 0;
+            for i in 0..a % 17 {
+                if i % 3 == 1 {
+                    continue;
+                }
+                let mut j = 0;
+                loop {
+                    if j > i {
+                        break;
+                    }
+                    if sum > 90 {
+                        return sum + 1000;
+                    }
+                    j += 1;
+                    if j % 2 != 0 {
+                        sum += j;
+                    }
+                    sum += 1;
+                    if sum == 40 {
+                        break;
+                    }
+                }
+                if i == 11 {
+                    break;
+                }
+            }
+            sum
+        },
+    );
+}
+
+#[test]
+fn switches_choose_one_case() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            var x = 0u;
+            switch a % 7u {
+                case 0u: { x = 10u; }
+                case 1u, 4u: { if a > 100u { break; } x = 20u; }
+                case 2u: { return 5u; }
+                default: { x = 30u; }
+            }
+            return x + 1u;
+        }",
+        |a| match a % 7 {
+            0 => 11,
+            1 | 4 if a > 100 => 1,
+            1 | 4 => 21,
+            2 => 5,
+            _ => 31,
+        },
+    );
+}
+
+#[test]
+fn a_switch_in_a_loop_continues_the_loop() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            var x = 0u;
+            for (var i = 0u; i < 6u; i++) {
+                switch (a + i) % 3u { case 0u: { continue; } case 1u: { x += 1u; } default: { break; } }
+                x += 10u;
+            }
+            return x;
+        }",
+        |a| (0..6).map(|i| [0, 11, 10][(a as usize + i) % 3]).sum(),
+    );
+}
+
+#[test]
+fn calls_return_to_their_lanes_and_write_through_pointers() {
+    rows(
+        "fn bump(p: ptr<function, u32>, by: u32) -> u32 { if by > 3u { return 0u; } *p += by; return *p; }
+        fn f(a: u32) -> u32 {
+            var x = a;
+            var y = 0u;
+            if a % 2u == 0u { y = bump(&x, a % 8u); }
+            return x * 1000u + y;
+        }",
+        |a| {
+            let by = a % 8;
+            let x = if a % 2 == 0 && by <= 3 { a + by } else { a };
+            x * 1000 + if a % 2 == 0 && by <= 3 { x } else { 0 }
+        },
+    );
+}
+
+#[test]
+fn private_variables_live_for_the_call() {
+    rows(
+        "var<private> total: u32 = 5u;
+        fn add(x: u32) { total += x; }
+        fn f(a: u32) -> u32 { if a > 3u { add(a); } add(1u); return total; }",
+        |a| if a > 3 { a + 6 } else { 6 },
+    );
+}
+
+#[test]
+fn an_endless_loop_runs_out_of_fuel() {
+    let module =
+        module("fn f(a: u32) -> u32 { var x = a; loop { x += 1u; if x == a { break; } } return x; }");
+    let interpreter = Interpreter::new(&module).unwrap().with_fuel(1000);
+    let result = interpreter.call(module.function("f").unwrap(), &columns(&[vec![1]]));
+    assert_eq!(result, Err(InterpError::OutOfFuel { function: "f".to_owned() }));
+}
+
+#[test]
+fn arguments_that_do_not_fit_are_refused() {
+    let module = module("fn f(a: vec2<u32>) -> u32 { return a.x; }");
+    let interpreter = Interpreter::new(&module).unwrap();
+    let result = interpreter.call(module.function("f").unwrap(), &columns(&[vec![1]]));
+    assert!(matches!(result, Err(InterpError::Arguments { expected: 2, found: 1, .. })));
+}
+
+#[test]
+fn what_is_not_supported_is_named_with_its_function() {
+    let module = module("fn f(a: f32) -> f32 { return modf(a).fract; }");
+    let interpreter = Interpreter::new(&module).unwrap();
+    let error = interpreter.call(module.function("f").unwrap(), &columns(&[vec![1]])).unwrap_err();
+    assert!(error.to_string().contains("Modf") && error.to_string().contains("`f`"), "{error}");
+}
+
+#[test]
+fn selections_are_per_component() {
+    assert_eq!(
+        word(
+            "fn f(a: u32) -> u32 { let v = select(vec2(1u, 2u), vec2(10u, 20u), vec2(a > 1u, a > 5u)); return v.x + v.y; }",
+            &[3]
+        ),
+        12
+    );
+}

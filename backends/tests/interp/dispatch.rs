@@ -1,0 +1,138 @@
+//! Entry points: workgroups, barriers, atomics, buffers.
+
+use crate::support::module;
+use lobe_backends::interp::{Buffer, InterpError, Interpreter};
+
+fn buffer(binding: u32, words: &[u32]) -> Buffer {
+    Buffer { group: 0, binding, data: words.iter().flat_map(|w| w.to_le_bytes()).collect() }
+}
+
+fn words(buffer: &Buffer) -> Vec<u32> {
+    buffer.data.chunks(4).map(|c| u32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
+fn run(text: &str, groups: [u32; 3], buffers: &mut [Buffer]) -> Result<(), InterpError> {
+    let module = module(text);
+    Interpreter::new(&module)?.run(0, groups, buffers)
+}
+
+const REDUCE: &str = "
+    @group(0) @binding(0) var<storage, read> input: array<u32>;
+    @group(0) @binding(1) var<storage, read_write> sums: array<u32>;
+    var<workgroup> part: array<u32, 64>;
+    @compute @workgroup_size(64)
+    fn reduce(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32,
+              @builtin(workgroup_id) group: vec3<u32>) {
+        part[i] = input[id.x];
+        workgroupBarrier();
+        for (var step = 32u; step > 0u; step /= 2u) {
+            if i < step { part[i] += part[i + step]; }
+            workgroupBarrier();
+        }
+        if i == 0u { sums[group.x] = part[0]; }
+    }";
+
+#[test]
+fn a_tree_reduction_sums_each_workgroup() {
+    let input: Vec<u32> = (0..192).collect();
+    let mut buffers = [buffer(0, &input), buffer(1, &[0; 3])];
+    run(REDUCE, [3, 1, 1], &mut buffers).unwrap();
+    let sums: Vec<u32> = input.chunks(64).map(|c| c.iter().sum()).collect();
+    assert_eq!(words(&buffers[1]), sums);
+    assert_eq!(words(&buffers[0]), input);
+}
+
+#[test]
+fn atomics_serve_lane_after_lane() {
+    let text = "
+        struct Counters { n: atomic<u32>, low: atomic<i32>, high: atomic<i32>, bits: atomic<u32>, last: atomic<u32> }
+        @group(0) @binding(0) var<storage, read_write> c: Counters;
+        @group(0) @binding(1) var<storage, read_write> order: array<u32>;
+        var<workgroup> shared_count: atomic<u32>;
+        @compute @workgroup_size(8, 2)
+        fn count(@builtin(local_invocation_index) i: u32, @builtin(local_invocation_id) at: vec3<u32>) {
+            let ticket = atomicAdd(&c.n, 2u);
+            order[ticket / 2u] = at.y * 8u + at.x;
+            atomicMin(&c.low, 3 - i32(i));
+            atomicMax(&c.high, i32(i));
+            atomicOr(&c.bits, 1u << i);
+            if i % 2u == 0u { atomicAdd(&shared_count, 1u); atomicSub(&c.n, 1u); }
+            workgroupBarrier();
+            if i == 3u { atomicStore(&c.last, atomicLoad(&shared_count)); }
+            let swapped = atomicCompareExchangeWeak(&c.bits, 0xffffu, 7u);
+            if swapped.exchanged { atomicXor(&c.bits, 8u); }
+        }";
+    let mut buffers = [buffer(0, &[0; 5]), buffer(1, &[99; 16])];
+    run(text, [1, 1, 1], &mut buffers).unwrap();
+    assert_eq!(words(&buffers[0]), [24, -12_i32 as u32, 15, 15, 8]);
+    assert_eq!(words(&buffers[1]), (0..16).collect::<Vec<_>>());
+}
+
+#[test]
+fn buffers_have_the_layout_of_wgsl() {
+    let text = "
+        struct Item { v: vec3<f32>, w: u32, m: mat2x2<f32>, n: mat3x3<f32> }
+        struct Head { count: u32, items: array<Item> }
+        struct Scale { by: f32, at: vec3<f32> }
+        @group(0) @binding(0) var<storage, read_write> head: Head;
+        @group(0) @binding(1) var<uniform> scale: Scale;
+        @compute @workgroup_size(4)
+        fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+            if id.x >= arrayLength(&head.items) { return; }
+            let item = &head.items[id.x];
+            (*item).v *= scale.by;
+            (*item).w = id.x + 10u * groups.x + 100u * arrayLength(&head.items);
+            (*item).m[1].x = scale.at.z;
+            (*item).n[2][1] = (*item).v.z;
+            if id.x == 1u { head.count = head.items[0].w; }
+        }";
+    // Item: v at 0, w at 12, m at 16, n at 32, 80 bytes; items begin at 16.
+    let mut data = vec![0; 4 + 3 * 20];
+    for (i, value) in [1.0_f32, 2.0, 3.0].into_iter().enumerate() {
+        data[4 + 20 + i] = value.to_bits();
+    }
+    let scale = [2.0_f32, 0.0, 0.0, 0.0, 5.0, 6.0, 7.0, 0.0].map(f32::to_bits);
+    let mut buffers = [buffer(0, &data), buffer(1, &scale)];
+    run(text, [1, 1, 1], &mut buffers).unwrap();
+    let got = words(&buffers[0]);
+    assert_eq!(got[0], 310);
+    assert_eq!(got[24..27], [2.0_f32, 4.0, 6.0].map(f32::to_bits));
+    assert_eq!(got[27], 311);
+    assert_eq!(got[24 + 4 + 2], 7.0_f32.to_bits());
+    assert_eq!(got[24 + 8 + 8 + 1], 6.0_f32.to_bits());
+}
+
+#[test]
+fn accesses_past_a_buffer_mean_its_last_element() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> data: array<u32>;
+        @compute @workgroup_size(1)
+        fn main() { var i = 100u; data[i] = data[i + 7u] + 1u; }";
+    let mut buffers = [buffer(0, &[1, 2, 3])];
+    run(text, [1, 1, 1], &mut buffers).unwrap();
+    assert_eq!(words(&buffers[0]), [1, 2, 4]);
+}
+
+#[test]
+fn a_barrier_that_some_invocations_miss_is_an_error() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> data: array<u32>;
+        fn wait() { workgroupBarrier(); }
+        @compute @workgroup_size(2)
+        fn main(@builtin(local_invocation_index) i: u32) { if i + data[0] == 0u { wait(); } data[i] = 1u; }";
+    let result = run(text, [1, 1, 1], &mut [buffer(0, &[0, 0])]);
+    assert_eq!(result, Err(InterpError::NonUniformBarrier { function: "wait".to_owned() }));
+}
+
+#[test]
+fn a_missing_or_short_buffer_is_named() {
+    let mut short = [buffer(0, &[1; 64]), Buffer { group: 0, binding: 1, data: vec![0; 2] }];
+    let error = run(REDUCE, [1, 1, 1], &mut short).unwrap_err();
+    assert_eq!(error, InterpError::BufferTooSmall { name: "sums".to_owned(), expected: 4, found: 2 });
+    let error = run(REDUCE, [1, 1, 1], &mut short[..1]).unwrap_err();
+    assert_eq!(error, InterpError::MissingBuffer { name: "sums".to_owned(), group: 0, binding: 1 });
+    assert_eq!(
+        Interpreter::new(&module(REDUCE)).unwrap().run(3, [1, 1, 1], &mut []),
+        Err(InterpError::NoEntryPoint(3))
+    );
+}
