@@ -15,6 +15,7 @@ pub mod def;
 pub mod intrinsics;
 pub mod math;
 pub mod module;
+pub mod names;
 pub mod prelude;
 pub mod types;
 pub mod validate;
