@@ -13,6 +13,7 @@ extern crate self as lobe_codegen;
 pub mod data;
 pub mod def;
 pub mod intrinsics;
+pub mod layout;
 pub mod math;
 pub mod module;
 pub mod names;

@@ -27,12 +27,15 @@ pub fn validate(
     Ok(ValidModule::new(module, info, meta))
 }
 
-/// Parses and validates WGSL text.
+/// Parses and validates WGSL text; its doc comments (`///`) travel along.
 ///
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
-    let module =
-        naga::front::wgsl::parse_str(text).map_err(|e| ValidateError::Invalid(e.emit_to_string(text)))?;
+    let options =
+        naga::front::wgsl::Options { parse_doc_comments: true, ..naga::front::wgsl::Options::new() };
+    let module = naga::front::wgsl::Frontend::new_with_options(options)
+        .parse(text)
+        .map_err(|e| ValidateError::Invalid(e.emit_to_string(text)))?;
     validate(module, Meta::default()).map_err(|e| ValidateError::Invalid(e.emit_to_string(text)))
 }
