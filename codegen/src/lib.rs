@@ -12,6 +12,8 @@ extern crate self as lobe_codegen;
 
 pub mod data;
 pub mod def;
+pub mod emit;
+mod guard;
 pub mod intrinsics;
 pub mod layout;
 pub mod math;
