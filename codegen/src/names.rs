@@ -44,16 +44,16 @@ impl fmt::Display for Language {
 /// What a word already means in a language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Meaning {
-    /// Part of the grammar, or kept for its future.
-    Keyword,
     /// A type.
     Type,
-    /// Declared beforehand: a type, an enumerant or a function.
-    Predeclared,
-    /// A macro.
-    Macro,
     /// A built-in function.
     Function,
+    /// A macro.
+    Macro,
+    /// Part of the grammar, or kept for its future.
+    Keyword,
+    /// Declared beforehand: a type, an enumerant or a function.
+    Predeclared,
 }
 
 impl fmt::Display for Meaning {
@@ -197,6 +197,7 @@ static WORDS: LazyLock<Table> = LazyLock::new(|| {
     add(&mut table, Keyword, Wgsl, naga::keywords::wgsl::RESERVED.iter().map(|&w| w.to_owned()));
     let predeclared = naga::keywords::wgsl::BUILTIN_IDENTIFIERS.iter().map(|&w| w.to_owned());
     add(&mut table, Predeclared, Wgsl, predeclared);
+    add(&mut table, Type, Wgsl, wgsl_matrices());
     add(&mut table, Type, Hlsl, words::HLSL_SCALARS.split(' ').flat_map(hlsl_shapes));
     for (meaning, language, list) in [
         (Keyword, Hlsl, words::HLSL_KEYWORDS),
@@ -219,6 +220,11 @@ fn add(table: &mut Table, meaning: Meaning, language: Language, list: impl Itera
     for word in list {
         table.entry(word).or_default().push((meaning, language));
     }
+}
+
+/// `mat2x3f`, `mat2x3h` and their like, which naga's list lacks.
+fn wgsl_matrices() -> impl Iterator<Item = String> {
+    (2..=4).flat_map(|c| (2..=4).flat_map(move |r| ["f", "h"].map(|kind| format!("mat{c}x{r}{kind}"))))
 }
 
 /// A scalar type of HLSL, its vectors and its matrices.
