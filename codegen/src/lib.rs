@@ -12,11 +12,14 @@ extern crate self as lobe_codegen;
 
 pub mod data;
 pub mod def;
+pub mod emit;
 mod guard;
 pub mod intrinsics;
+pub mod layout;
 pub mod lower;
 pub mod math;
 pub mod module;
+pub mod names;
 pub mod prelude;
 pub mod scope;
 pub mod types;

@@ -81,12 +81,14 @@ pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, Validat
     Ok(ValidModule::new(module, info, meta))
 }
 
-/// Parses and validates WGSL text.
+/// Parses and validates WGSL text; its doc comments (`///`) travel along.
 ///
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
-    let module = guarded("WGSL front end", || naga::front::wgsl::parse_str(text))?
+    let options =
+        naga::front::wgsl::Options { parse_doc_comments: true, ..naga::front::wgsl::Options::new() };
+    let module = guarded("WGSL front end", || naga::front::wgsl::Frontend::new_with_options(options).parse(text))?
         .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
     validate(module, Meta::default())
 }

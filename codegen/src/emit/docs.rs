@@ -1,0 +1,80 @@
+//! Doc comments, which no writer of naga prints.
+//!
+//! `///` in every text target: it is an ordinary comment to the compilers, and the mark of a doc
+//! comment to the tools that look for one.
+
+use super::mark::Role;
+use naga::{DocComments, Handle, Module, Type};
+
+/// The doc comment of an item, with a line break at its end; empty when there is none.
+pub(super) fn item(module: &Module, role: Role) -> String {
+    lookup(module, role).map(|lines| comment(lines, "")).unwrap_or_default()
+}
+
+/// The doc comment of a structure's member, likewise.
+pub(super) fn member(module: &Module, ty: Handle<Type>, index: usize) -> String {
+    lookup(module, Role::Member(ty, index)).map(|lines| comment(lines, "    ")).unwrap_or_default()
+}
+
+/// The lines as the author wrote them, without comment marks.
+pub(super) fn plain(module: &Module, role: Role) -> Vec<String> {
+    lookup(module, role).into_iter().flat_map(|lines| clean(lines)).collect()
+}
+
+fn lookup(module: &Module, role: Role) -> Option<&[String]> {
+    let docs: &DocComments = module.doc_comments.as_deref()?;
+    let lines = match role {
+        Role::Function(handle) => docs.functions.get(&handle),
+        Role::Entry(index) => docs.entry_points.get(&index),
+        Role::Struct(ty) => docs.types.get(&ty),
+        Role::Member(ty, index) => docs.struct_members.get(&(ty, index)),
+        Role::Constant(handle) => docs.constants.get(&handle),
+        Role::Global(handle) => docs.global_variables.get(&handle),
+        Role::Argument | Role::Local => None,
+    };
+    lines.map(Vec::as_slice).filter(|lines| !lines.is_empty())
+}
+
+fn comment(lines: &[String], indent: &str) -> String {
+    let line = |text: String| match text.as_str() {
+        "" => format!("{indent}///\n"),
+        text => format!("{indent}/// {text}\n"),
+    };
+    clean(lines).map(line).collect()
+}
+
+/// One line each, and nothing in it that would end the comment or drag the next line into it.
+fn clean(lines: &[String]) -> impl Iterator<Item = String> + '_ {
+    lines.iter().flat_map(|text| text.split('\n')).map(|line| {
+        let line = strip_marks(line);
+        // Every other line break that WGSL knows, and control characters, become blanks.
+        let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+        let line: String = line.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
+        // In HLSL a backslash at the end continues the comment on the next line.
+        line.trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()
+    })
+}
+
+/// Front ends keep the comment marks, definitions do not.
+fn strip_marks(line: &str) -> &str {
+    let line = line.trim_end();
+    let start = line.trim_start();
+    for mark in ["///", "//!", "/**"] {
+        if let Some(rest) = start.strip_prefix(mark) {
+            let rest = rest.strip_suffix("*/").filter(|_| mark == "/**").unwrap_or(rest);
+            return rest.strip_prefix(' ').unwrap_or(rest);
+        }
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_line_leaves_its_comment() {
+        let lines = ["/// a\\".to_owned(), "b\u{2028}c\rd\\ \\".to_owned(), String::new(), "e\nf".to_owned()];
+        assert_eq!(comment(&lines, ""), "/// a\n/// b c d\n///\n/// e\n/// f\n");
+    }
+}

@@ -1,0 +1,51 @@
+//! HLSL for shader model 6.0 and later.
+//!
+//! Registers are the bindings and spaces are the groups, for every kind of resource, so that DXC's
+//! SPIR-V has the same layout as naga's.
+//! Bounds checks and loop bounds are left out, as in the other targets: a kernel's indices are its
+//! own affair, and the code stays readable.
+//! Workgroup memory starts at zero, since the kernel language says so.
+
+use super::{EmitError, Options, Target, guarded, mark, tidy};
+use crate::ValidModule;
+use naga::back::hlsl;
+
+/// Writes the module as HLSL.
+pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
+    let marked = mark::mark(module.module());
+    let raw = guarded(Target::Hlsl, || {
+        let mut raw = String::new();
+        let settings = settings();
+        let all_entries = hlsl::PipelineOptions { entry_point: None };
+        let mut writer = hlsl::Writer::new(&mut raw, &settings, &all_entries);
+        let written = writer.write(&marked.module, module.info(), None).map_err(|e| e.to_string())?;
+        match written.entry_point_names.into_iter().find_map(Result::err) {
+            Some(error) => Err(error.to_string()),
+            None => Ok(raw),
+        }
+    })?;
+    tidy::finish(module.module(), &marked.marks, &mend_setters(&raw), Target::Hlsl, options)
+}
+
+/// Passes the structure to `SetMat..On..` by reference.
+///
+/// naga writes these helpers for matrices with two rows inside structures, and passes the structure
+/// by value: what they store would be lost.
+fn mend_setters(raw: &str) -> String {
+    let mend = |line: &str| match line.starts_with("void SetMat") {
+        true => line.replacen('(', "(inout ", 1),
+        false => line.to_owned(),
+    };
+    raw.lines().map(|line| mend(line) + "\n").collect()
+}
+
+fn settings() -> hlsl::Options {
+    hlsl::Options {
+        shader_model: hlsl::ShaderModel::V6_0,
+        fake_missing_bindings: true,
+        restrict_indexing: false,
+        force_loop_bounding: false,
+        zero_initialize_workgroup_memory: true,
+        ..hlsl::Options::default()
+    }
+}

@@ -1,0 +1,163 @@
+//! Text as words and what stands between them, cut into the items of a module.
+
+/// A piece of text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Piece<'a> {
+    /// The characters.
+    pub(super) text: &'a str,
+    /// What they are.
+    pub(super) kind: PieceKind,
+}
+
+/// What a piece is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PieceKind {
+    /// An identifier or keyword.
+    Word,
+    /// The same behind a dot: a member, a method or a swizzle.
+    Selector,
+    /// A number, a comment or a string: never renamed.
+    Opaque,
+    /// Blanks.
+    Space,
+    /// A single other character.
+    Mark,
+}
+
+/// Cuts `text` into pieces; together they are the text.
+pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut out: Vec<Piece<'_>> = Vec::new();
+    let mut rest = text;
+    let mut behind_dot = false;
+    while let Some(first) = rest.chars().next() {
+        let (mut kind, length) = measure(rest, first);
+        if kind == PieceKind::Word && behind_dot {
+            kind = PieceKind::Selector;
+        }
+        let (piece, after) = rest.split_at(length);
+        if kind != PieceKind::Space {
+            behind_dot = piece == ".";
+        }
+        out.push(Piece { text: piece, kind });
+        rest = after;
+    }
+    hide_attributes(&mut out);
+    out
+}
+
+/// Makes attributes opaque: `@builtin(x)` and `register(b0)` name nothing that a user declares.
+fn hide_attributes(pieces: &mut [Piece<'_>]) {
+    let mut depth = None;
+    for i in 0..pieces.len() {
+        let behind = i.checked_sub(1).map(|j| pieces[j].text);
+        let piece = &mut pieces[i];
+        depth = match (depth, piece.text) {
+            (None, "register") => Some(0),
+            (None, _) if behind == Some("@") => Some(0),
+            (Some(0), "(") => Some(1),
+            // An attribute without parentheses is over.
+            (None | Some(0), _) => None,
+            (Some(n), "(") => Some(n + 1),
+            (Some(1), ")") => None,
+            (Some(n), ")") => Some(n - 1),
+            (inside, _) => inside,
+        };
+        if depth.is_some() && piece.kind == PieceKind::Word {
+            piece.kind = PieceKind::Opaque;
+        }
+    }
+}
+
+/// Kind and length of the piece that `rest` begins with.
+fn measure(rest: &str, first: char) -> (PieceKind, usize) {
+    let run = |keep: fn(char) -> bool| rest.find(|c| !keep(c)).unwrap_or(rest.len());
+    if first.is_ascii_alphabetic() || first == '_' {
+        return (PieceKind::Word, run(|c| c.is_ascii_alphanumeric() || c == '_'));
+    }
+    if first.is_ascii_digit() {
+        return (PieceKind::Opaque, run(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+    }
+    if first.is_whitespace() {
+        return (PieceKind::Space, run(char::is_whitespace));
+    }
+    let length = if rest.starts_with("//") {
+        rest.find('\n')
+    } else if rest.starts_with("/*") {
+        rest.find("*/").map(|i| i + 2)
+    } else if first == '"' {
+        string_length(rest)
+    } else {
+        return (PieceKind::Mark, first.len_utf8());
+    };
+    (PieceKind::Opaque, length.unwrap_or(rest.len()))
+}
+
+fn string_length(rest: &str) -> Option<usize> {
+    let mut escaped = true;
+    for (i, c) in rest.char_indices() {
+        match c {
+            '"' if !escaped => return Some(i + 1),
+            '\\' => escaped = !escaped,
+            _ => escaped = false,
+        }
+    }
+    None
+}
+
+/// Cuts pieces into items: each ends with a `;` outside of braces, or with the brace that closes it.
+pub(super) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
+    let mut out = Vec::new();
+    let (mut start, mut depth) = (0, 0usize);
+    for (i, piece) in pieces.iter().enumerate() {
+        let ends = match (piece.kind, piece.text) {
+            (PieceKind::Mark, "{") => {
+                depth += 1;
+                false
+            }
+            (PieceKind::Mark, "}") => {
+                depth = depth.saturating_sub(1);
+                depth == 0 && next_text(pieces, i) != Some(";")
+            }
+            (PieceKind::Mark, ";") => depth == 0,
+            _ => false,
+        };
+        if ends {
+            out.push(&pieces[start..=i]);
+            start = i + 1;
+        }
+    }
+    if pieces[start..].iter().any(|p| p.kind != PieceKind::Space) {
+        out.push(&pieces[start..]);
+    }
+    out
+}
+
+/// The next piece that is not blank.
+fn next_text<'a>(pieces: &[Piece<'a>], index: usize) -> Option<&'a str> {
+    pieces[index + 1..].iter().find(|p| p.kind != PieceKind::Space).map(|p| p.text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_add_up_and_know_words_from_comments_and_numbers() {
+        let text = "let a.b = x2 /* c */ + 0x1fu * 1.5f; // lobeq é\n\"s\\\"t\" é_";
+        let all = pieces(text);
+        assert_eq!(all.iter().map(|p| p.text).collect::<String>(), text);
+        let words: Vec<&str> = all.iter().filter(|p| p.kind == PieceKind::Word).map(|p| p.text).collect();
+        assert_eq!(words, ["let", "a", "x2", "_"]);
+        assert!(all.contains(&Piece { text: "b", kind: PieceKind::Selector }));
+    }
+
+    #[test]
+    fn items_end_at_outer_semicolons_and_braces() {
+        let all = pieces("struct A { int b; };\nconst int c = 1;\nvoid d() { if (e) { f(); } }\n");
+        let texts: Vec<String> = items(&all)
+            .into_iter()
+            .map(|item| item.iter().map(|p| p.text).collect::<String>().trim().to_owned())
+            .collect();
+        assert_eq!(texts, ["struct A { int b; };", "const int c = 1;", "void d() { if (e) { f(); } }"]);
+    }
+}

@@ -1,0 +1,116 @@
+//! The finished text: header, items with their docs, one blank line between them.
+
+use super::mark::Marks;
+use super::rename::{Item, Renamer};
+use super::{EmitError, Options, Target, docs, scan};
+use naga::{Function, Module, Statement};
+use std::collections::HashSet;
+
+/// Makes a writer's text, full of marks, into the one that a user gets.
+pub(super) fn finish(
+    module: &Module,
+    marks: &Marks,
+    raw: &str,
+    target: Target,
+    options: &Options,
+) -> Result<String, EmitError> {
+    let pieces = scan::pieces(raw);
+    let renamer = Renamer::new(module, marks, target, &pieces)?;
+    let mut out = if options.header { header(module, target, options) } else { String::new() };
+    let mut former_is_line = false;
+    for pieces in scan::items(&pieces) {
+        let item = renamer.item(pieces, options.docs)?;
+        let (text, is_line) = lay_out(module, &item, options.docs);
+        if !out.is_empty() && !(former_is_line && is_line) {
+            out.push('\n');
+        }
+        out.push_str(&text);
+        former_is_line = is_line;
+    }
+    Ok(out)
+}
+
+/// The item under its doc comment, and whether it is a single line.
+fn lay_out(module: &Module, item: &Item, with_docs: bool) -> (String, bool) {
+    let mut text = match item.defines {
+        Some(role) if with_docs => docs::item(module, role),
+        _ => String::new(),
+    };
+    let is_documented = !text.is_empty();
+    let mut lines = 0;
+    let mut blanks = 0;
+    for line in item.text.trim().lines().map(str::trim_end) {
+        // Writers leave blank lines in bodies; one at a time is kept.
+        blanks = if line.is_empty() { blanks + 1 } else { 0 };
+        if blanks < 2 {
+            text.push_str(line);
+            text.push('\n');
+            lines += 1;
+        }
+    }
+    (text, !is_documented && lines == 1)
+}
+
+fn header(module: &Module, target: Target, options: &Options) -> String {
+    let kernels = if options.kernels.is_empty() { roots(module) } else { options.kernels.clone() };
+    let command = options.command.clone().unwrap_or_else(|| {
+        format!("lobe emit --target {target} {}", kernels.join(" ")).trim_end().to_owned()
+    });
+    let version = env!("CARGO_PKG_VERSION");
+    let lines = [
+        format!("Written by Lobe {version} from {}.", list(&kernels)),
+        format!("Do not edit; write it again with: {command}"),
+    ];
+    lines.iter().map(|line| format!("// {}\n", one_line(line))).collect()
+}
+
+/// Text that cannot leave a line comment.
+fn one_line(text: &str) -> String {
+    let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    let line: String = text.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
+    line.trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()
+}
+
+fn list(kernels: &[String]) -> String {
+    match kernels {
+        [] => "no kernel".to_owned(),
+        [one] => format!("the kernel {one}"),
+        many => format!("the kernels {}", many.join(", ")),
+    }
+}
+
+/// The entry points, or else the functions that no other calls.
+fn roots(module: &Module) -> Vec<String> {
+    if !module.entry_points.is_empty() {
+        return module.entry_points.iter().map(|e| e.name.clone()).collect();
+    }
+    let mut called = HashSet::new();
+    for (_, function) in module.functions.iter() {
+        collect_calls(&function.body, &mut called);
+    }
+    let is_root = |(handle, f): (naga::Handle<Function>, &Function)| {
+        f.name.clone().filter(|_| !called.contains(&handle))
+    };
+    module.functions.iter().filter_map(is_root).collect()
+}
+
+fn collect_calls(block: &naga::Block, called: &mut HashSet<naga::Handle<Function>>) {
+    for statement in block.iter() {
+        match statement {
+            Statement::Call { function, .. } => {
+                called.insert(*function);
+            }
+            Statement::Block(inner) => collect_calls(inner, called),
+            Statement::If { accept, reject, .. } => {
+                collect_calls(accept, called);
+                collect_calls(reject, called);
+            }
+            Statement::Switch { cases, .. } => cases.iter().for_each(|c| collect_calls(&c.body, called)),
+            Statement::Loop { body, continuing, .. } => {
+                collect_calls(body, called);
+                collect_calls(continuing, called);
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! WGSL.
+
+use super::{EmitError, Options, Target, guarded, mark, tidy};
+use crate::ValidModule;
+use naga::back::wgsl::{WriterFlags, write_string};
+
+/// Writes the module as WGSL.
+pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
+    let marked = mark::mark(module.module());
+    let raw = guarded(Target::Wgsl, || write_string(&marked.module, module.info(), WriterFlags::empty()))?;
+    tidy::finish(module.module(), &marked.marks, &raw, Target::Wgsl, options)
+}
