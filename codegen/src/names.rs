@@ -197,7 +197,7 @@ static WORDS: LazyLock<Table> = LazyLock::new(|| {
     add(&mut table, Keyword, Wgsl, naga::keywords::wgsl::RESERVED.iter().map(|&w| w.to_owned()));
     let predeclared = naga::keywords::wgsl::BUILTIN_IDENTIFIERS.iter().map(|&w| w.to_owned());
     add(&mut table, Predeclared, Wgsl, predeclared);
-    add(&mut table, Type, Wgsl, wgsl_matrices());
+    add(&mut table, Type, Wgsl, wgsl_shorthands());
     add(&mut table, Type, Hlsl, words::HLSL_SCALARS.split(' ').flat_map(hlsl_shapes));
     for (meaning, language, list) in [
         (Keyword, Hlsl, words::HLSL_KEYWORDS),
@@ -222,9 +222,12 @@ fn add(table: &mut Table, meaning: Meaning, language: Language, list: impl Itera
     }
 }
 
-/// `mat2x3f`, `mat2x3h` and their like, which naga's list lacks.
-fn wgsl_matrices() -> impl Iterator<Item = String> {
-    (2..=4).flat_map(|c| (2..=4).flat_map(move |r| ["f", "h"].map(|kind| format!("mat{c}x{r}{kind}"))))
+/// `vec3f`, `mat2x3h` and their like, which naga's list lacks.
+fn wgsl_shorthands() -> impl Iterator<Item = String> {
+    let sizes = 2..=4;
+    let vectors = sizes.clone().flat_map(|n| ["f", "h", "i", "u"].map(|kind| format!("vec{n}{kind}")));
+    let shapes = sizes.flat_map(|c| (2..=4).map(move |r| format!("mat{c}x{r}")));
+    vectors.chain(shapes.flat_map(|shape| ["f", "h"].map(|kind| format!("{shape}{kind}"))))
 }
 
 /// A scalar type of HLSL, its vectors and its matrices.

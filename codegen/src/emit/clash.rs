@@ -105,10 +105,12 @@ fn check_arguments(owner: &str, function: &Function) -> Result<(), ClashError> {
     Ok(())
 }
 
+type Check = fn(&str) -> Result<(), NameError>;
+
 #[derive(Default)]
 struct Scope<'a> {
     taken: HashMap<&'a str, String>,
-    check: Option<fn(&str) -> Result<(), NameError>>,
+    check: Option<Check>,
 }
 
 impl<'a> Scope<'a> {

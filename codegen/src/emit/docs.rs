@@ -18,7 +18,7 @@ pub(super) fn member(module: &Module, ty: Handle<Type>, index: usize) -> String 
 
 /// The lines as the author wrote them, without comment marks.
 pub(super) fn plain(module: &Module, role: Role) -> Vec<String> {
-    lookup(module, role).into_iter().flat_map(|lines| clean(lines)).collect()
+    lookup(module, role).into_iter().flat_map(clean).collect()
 }
 
 fn lookup(module: &Module, role: Role) -> Option<&[String]> {

@@ -42,6 +42,8 @@ const LAID_OUT: [u32; 3] = [2, 9, 12];
 ///
 /// naga decorates them like those of buffers; Vulkan forbids that
 /// (VUID-StandaloneSpirv-None-10684), and validators since 2025 say so.
+/// A type that buffers use too keeps its layout: in SPIR-V 1.3 values could not go between two forms
+/// of it.
 fn without_workgroup_layout(words: Vec<u32>) -> Vec<u32> {
     let shared = reachable(&words, &[WORKGROUP]);
     if shared.is_empty() {

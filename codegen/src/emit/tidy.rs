@@ -21,7 +21,8 @@ pub(super) fn finish(
     for pieces in scan::items(&pieces) {
         let item = renamer.item(pieces, options.docs)?;
         let (text, is_line) = lay_out(module, &item, options.docs);
-        if !out.is_empty() && !(former_is_line && is_line) {
+        let is_together = former_is_line && is_line;
+        if !out.is_empty() && !is_together {
             out.push('\n');
         }
         out.push_str(&text);

@@ -156,8 +156,9 @@ pub(super) const MSL_TYPES: &str = "\
     packed_int2 packed_int3 packed_int4 packed_long2 packed_long3 packed_long4 packed_short2 packed_short3 \
     packed_short4 packed_uchar2 packed_uchar3 packed_uchar4 packed_uint2 packed_uint3 packed_uint4 \
     packed_ushort2 packed_ushort3 packed_ushort4 packed_vec ptrdiff_t quad short short2 short3 short4 signed \
-    size_t uchar uchar2 uchar3 uchar4 uint uint16_t uint2 uint3 uint32_t uint4 uint64_t uint8_t ullong \
-    ulong2 ulong3 ulong4 unsigned ushort ushort2 ushort3 ushort4 vec void wchar_t";
+    simdgroup_bfloat8x8 simdgroup_float8x8 simdgroup_half8x8 simdgroup_matrix size_t uchar uchar2 uchar3 \
+    uchar4 uint uint16_t uint2 uint3 uint32_t uint4 uint64_t uint8_t ullong ulong ulong2 ulong3 ulong4 \
+    unsigned ushort ushort2 ushort3 ushort4 vec void wchar_t";
 
 /// Macros that the Metal standard library defines.
 pub(super) const MSL_MACROS: &str = "\

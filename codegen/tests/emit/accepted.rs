@@ -8,14 +8,15 @@ use std::process::Command;
 
 const SHARED: &str = "
 struct Cell { a: vec3<f32>, n: u32 }
+struct Held { a: vec3<f32>, n: u32 }
 @group(0) @binding(0) var<storage, read_write> sums: array<f32>;
 @group(0) @binding(1) var<storage> cells: array<Cell>;
 var<workgroup> scratch: array<f32, 64>;
-var<workgroup> held: array<Cell, 4>;
+var<workgroup> held: array<Held, 4>;
 @compute @workgroup_size(64)
 fn reduce(@builtin(local_invocation_index) local_invocation_index: u32, @builtin(global_invocation_id) id: vec3<u32>) {
     scratch[local_invocation_index] = sums[id.x];
-    held[local_invocation_index % 4u] = cells[id.x];
+    held[local_invocation_index % 4u] = Held(cells[id.x].a, cells[id.x].n);
     workgroupBarrier();
     sums[id.x] = scratch[63u - local_invocation_index] + held[id.x % 4u].a.y;
 }

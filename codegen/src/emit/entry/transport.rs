@@ -117,21 +117,18 @@ impl Builder {
         size: Option<naga::VectorSize>,
         way: Way,
     ) -> Handle<Expression> {
-        let constant = |builder: &mut Self, word: u32| {
-            let literal = builder.declare(Expression::Literal(Literal::U32(word)));
-            match size {
-                Some(size) => builder.compute(Expression::Splat { size, value: literal }),
-                None => literal,
-            }
-        };
-        let zero = constant(self, 0);
         match way {
             Way::Decode => {
+                let literal = self.declare(Expression::Literal(Literal::U32(0)));
+                let zero = match size {
+                    Some(size) => self.compute(Expression::Splat { size, value: literal }),
+                    None => literal,
+                };
                 self.compute(Expression::Binary { op: BinaryOperator::NotEqual, left: value, right: zero })
             }
+            // A conversion, not a selection: DXC refuses `?:` on vectors, which naga would write.
             Way::Encode => {
-                let one = constant(self, 1);
-                self.compute(Expression::Select { condition: value, accept: one, reject: zero })
+                self.compute(Expression::As { expr: value, kind: ScalarKind::Uint, convert: Some(4) })
             }
         }
     }
