@@ -66,7 +66,7 @@ impl<'a> Renamer<'a> {
             }
             match (piece.kind, locals.get(piece.text)) {
                 (PieceKind::Word, Some(name)) => text.push_str(name),
-                (PieceKind::Word | PieceKind::Selector, _) => text.push_str(&spelled(piece.text, self.marks)),
+                (PieceKind::Word | PieceKind::Selector, _) => push_spelled(&mut text, piece.text, self.marks),
                 (PieceKind::Opaque | PieceKind::Space | PieceKind::Mark, _) => text.push_str(piece.text),
             }
         }
@@ -102,7 +102,12 @@ impl<'a> Renamer<'a> {
     /// Refuses an item in which one name means two things.
     fn check_hidden(&self, pieces: &[Piece<'_>], locals: &HashMap<&str, String>) -> Result<(), ClashError> {
         let mut meanings: HashMap<String, &str> = HashMap::new();
-        for piece in pieces.iter().filter(|p| p.kind == PieceKind::Word && !locals.contains_key(p.text)) {
+        let mut seen = HashSet::new();
+        let is_fixed = |p: &Piece<'_>| p.kind == PieceKind::Word && !locals.contains_key(p.text);
+        for piece in pieces.iter().filter(|p| is_fixed(p)) {
+            if !seen.insert(piece.text) {
+                continue;
+            }
             let mark = self.marks.at(piece.text).filter(|_| piece.text.len() == LENGTH);
             if mark.is_some_and(|m| matches!(m.role, Role::Member(..))) {
                 continue;
@@ -123,6 +128,11 @@ impl<'a> Renamer<'a> {
 /// A word with the declared names in place of the marks inside it.
 fn spelled(word: &str, marks: &Marks) -> String {
     let mut out = String::new();
+    push_spelled(&mut out, word, marks);
+    out
+}
+
+fn push_spelled(out: &mut String, word: &str, marks: &Marks) {
     let mut rest = word;
     while let Some(at) = rest.find(PREFIX) {
         out.push_str(&rest[..at]);
@@ -137,5 +147,5 @@ fn spelled(word: &str, marks: &Marks) -> String {
             }
         }
     }
-    out + rest
+    out.push_str(rest);
 }

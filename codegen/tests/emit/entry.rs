@@ -71,7 +71,10 @@ fn booleans_travel_as_words() {
     for target in Target::ALL {
         artifact(&entry, target);
     }
-    assert!(text(&entry, Target::Wgsl).contains("struct Hit_in_buffer {"));
+    let wgsl = text(&entry, Target::Wgsl);
+    assert!(wgsl.contains("struct Hit_in_buffer {"), "{wgsl}");
+    assert!(wgsl.contains(".is_hit != 0u)") && wgsl.contains("u32(result.is_hit)"), "{wgsl}");
+    assert!(wgsl.contains(" != vec2(0u))") && wgsl.contains("vec2<u32>(result.sides["), "{wgsl}");
 }
 
 #[test]

@@ -126,6 +126,25 @@ fn parameters_may_be_called_as_items_that_their_function_does_not_use() {
 }
 
 #[test]
+fn a_local_never_takes_a_name_that_the_writer_uses() {
+    let source = "fn f(n: u32) -> u32 {
+        var s = n;
+        loop {
+            let should_continue = s * 2u;
+            let other = should_continue + should_continue * s;
+            switch other { case 1u: { continue; } case 2u: { s = s + other; } default: {} }
+            s = s + should_continue;
+            if s > 100u { break; }
+        }
+        return s;
+    }
+    fn other(n: u32) -> u32 { return n; }";
+    let hlsl = text(&module(source), Target::Hlsl);
+    assert_eq!(hlsl.matches("bool should_continue = false;").count(), 1, "{hlsl}");
+    assert!(hlsl.contains("uint should_continue_1 = ") && hlsl.contains("uint other_1 = "), "{hlsl}");
+}
+
+#[test]
 fn hostile_words_are_refused() {
     let words: Vec<&str> = include_str!("hostile.txt").split_whitespace().collect();
     let free: Vec<&str> = words.iter().copied().filter(|word| check(word).is_ok()).collect();
