@@ -88,8 +88,9 @@ pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, Validat
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
     let options =
         naga::front::wgsl::Options { parse_doc_comments: true, ..naga::front::wgsl::Options::new() };
-    let module = guarded("WGSL front end", || naga::front::wgsl::Frontend::new_with_options(options).parse(text))?
-        .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
+    let module =
+        guarded("WGSL front end", || naga::front::wgsl::Frontend::new_with_options(options).parse(text))?
+            .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
     validate(module, Meta::default())
 }
 

@@ -5,6 +5,7 @@
 pub mod cases;
 pub mod domain;
 pub mod judge;
+pub mod operations;
 pub mod oracle;
 pub mod question;
 pub mod report;

@@ -92,7 +92,8 @@ fn no_test_is_ignored() {
 
 #[test]
 fn files_stay_readable() {
-    for path in files(&root(), &["rs"]) {
+    let is_source = |p: &PathBuf| p.components().any(|c| c.as_os_str() == "src");
+    for path in files(&root(), &["rs"]).into_iter().filter(is_source) {
         let n = fs::read_to_string(&path).expect("readable").lines().count();
         assert!(n <= 700, "{}: {n} lines; split it", path.display());
     }

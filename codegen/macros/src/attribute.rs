@@ -152,7 +152,7 @@ fn listed<T: Parse>(input: ParseStream<'_>) -> syn::Result<Vec<T>> {
 
 /// A `def::Domain` expression.
 pub(crate) fn domain(argument: &DomainArgument, errors: &mut Errors) -> TokenStream {
-    match &argument.0 {
+    match plain(&argument.0) {
         Expr::Path(p) if p.path.is_ident("unit") => quote!(::lobe_codegen::def::Domain::Unit),
         Expr::Range(syn::ExprRange {
             start: Some(lo),
@@ -168,5 +168,13 @@ pub(crate) fn domain(argument: &DomainArgument, errors: &mut Errors) -> TokenStr
             errors.at(other, "a domain is `lo..=hi`, `unit` (vectors of length one) or `[a, b, c]`");
             quote!(::lobe_codegen::def::Domain::Unit)
         }
+    }
+}
+
+/// The expression inside the invisible group that `$domain:expr` of a `macro_rules` puts around it.
+fn plain(expr: &Expr) -> &Expr {
+    match expr {
+        Expr::Group(group) => plain(&group.expr),
+        other => other,
     }
 }

@@ -94,7 +94,8 @@ mod tests {
         let other = uniform(3, &mut rng);
         let opposite: Vec<f32> = other.iter().map(|c| -c).collect();
         let earlier = vec![vec![1.0, 0.0], other.clone()];
-        let dot = |v: &[f32]| -> f64 { v.iter().zip(&other).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum() };
+        let dot =
+            |v: &[f32]| -> f64 { v.iter().zip(&other).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum() };
         let mut edges = (0..n_edges(3, 1)).map(|i| edge(3, i, &earlier, &mut rng)).skip(8);
         assert_eq!(edges.next(), Some(other.clone()));
         assert_eq!(edges.next(), Some(opposite));
