@@ -29,7 +29,9 @@ pub enum GoldenError {
         found: usize,
     },
     /// The golden itself is not whole.
-    #[error("the golden has {truth} true values and {permitted} permitted errors: it is damaged, write it anew")]
+    #[error(
+        "the golden has {truth} true values and {permitted} permitted errors: it is damaged, write it anew"
+    )]
     Damaged {
         /// True values.
         truth: usize,

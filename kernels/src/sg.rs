@@ -85,8 +85,8 @@ pub fn sg_integral(sharpness: f32) -> f32 {
 /// | `a`, `b` | the lobes | sharpness 0 ..= 1e6, log amplitude -10 ..= 10 | 1 |
 ///
 /// Returns the product lobe. Where the lobes cancel (opposite axes, sharpness equal to within 1e-6) the
-/// axis has no meaning and is shorter than 1, down to the zero vector; two constant lobes give `a.axis`
-/// plus `b.axis`, shortened to 1.
+/// axis has no meaning and is shorter than 1, down to the zero vector; so it is for two lobes of sharpness
+/// below 1e-30, which count as constant.
 ///
 /// Numerics: sharpnesses are taken relative to the larger one, `ra` and `rb`. With the chords
 /// `q = |v1 - v2|²` and `p = |v1 + v2|²`, `k3` is the larger one times `n = sqrt((ra - rb)² + ra rb p)`, and
@@ -96,7 +96,7 @@ pub fn sg_integral(sharpness: f32) -> f32 {
     family = "sg",
     cite = "[Tokuyoshi22] supplement eq. 1, 2",
     budget(
-        axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
+        axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-36) + 1e-30 / max(max(a.sharpness, b.sharpness), 1e-30),
         sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
         log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     )
@@ -129,7 +129,7 @@ pub fn sg_product(a: Sg, b: Sg) -> Sg {
     family = "sg",
     cite = "[Tokuyoshi22] supplement listing 2",
     budget(
-        axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-25),
+        axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-36) + 1e-30 / max(max(a.sharpness, b.sharpness), 1e-30),
         sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
         log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     ),

@@ -112,7 +112,8 @@ fn product_integral_is_that_of_quadrature() {
                 .exp()
         };
         let truth = integrate(sharp.axis, sharp.sharpness, other);
-        let peak = f64::from(sg_integral(sharp.sharpness)) * f64::from(a.log_amplitude + b.log_amplitude).exp();
+        let peak =
+            f64::from(sg_integral(sharp.sharpness)) * f64::from(a.log_amplitude + b.log_amplitude).exp();
         close(sg_sg_product_integral(a, b), truth, 1e-3 * truth + 1e-5 * peak, "product integral")
     });
 }
@@ -140,7 +141,8 @@ fn integrals_are_invariant_under_rotation() {
     check((lobe(), lobe(), rotation()), |(a, b, turn)| {
         let turned = |s: Sg| Sg { axis: (turn * s.axis).normalize(), ..s };
         let before = f64::from(sg_sg_product_integral(a, b));
-        let spread = 1e-6 * f64::from(a.sharpness.min(b.sharpness)) * f64::from((a.axis - b.axis).length()).max(1e-3);
+        let spread =
+            1e-6 * f64::from(a.sharpness.min(b.sharpness)) * f64::from((a.axis - b.axis).length()).max(1e-3);
         let after = sg_sg_product_integral(turned(a), turned(b));
         close(after, before, (1e-5 + 4.0 * spread) * before + 1e-30, "product integral")?;
         let c = hsg_cosine_product_integral(a, b.axis);
@@ -233,7 +235,12 @@ fn opposite_lobes_cancel_without_nan() {
         let product = sg_product(a, Sg { axis: -v, ..a });
         prop_assert!(product.axis.is_finite() && product.sharpness.is_finite(), "{product:?}");
         let total = 4.0 * std::f64::consts::PI * (-2.0 * f64::from(k)).exp();
-        close(sg_sg_product_integral(a, Sg { axis: -v, ..a }), total, (1e-4 + 1e-5 * f64::from(k)) * total + 1e-30, "integral")
+        close(
+            sg_sg_product_integral(a, Sg { axis: -v, ..a }),
+            total,
+            (1e-4 + 1e-5 * f64::from(k)) * total + 1e-30,
+            "integral",
+        )
     });
 }
 
