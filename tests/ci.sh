@@ -10,9 +10,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Here a missing driver or tool is a failure, not a skip.
 export LOBE_REQUIRE_TOOLS=1
+# Snapshots are compared, never written.
+export INSTA_UPDATE=no
 [[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
 
-all=(setup format lint test doc check)
+all=(setup format lint test doc check oracle)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
@@ -29,6 +31,8 @@ step_check() {
     cargo run --release -- check \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
 }
+# The tables that came with the kernels, on every route.
+step_oracle() { cargo run --release -- oracle tests/cases/oracle; }
 }
 
 command -v cargo >/dev/null || { echo "ci: cargo is missing: install Rust from https://rustup.rs" >&2; exit 1; }

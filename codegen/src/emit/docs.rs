@@ -36,11 +36,31 @@ fn lookup(module: &Module, role: Role) -> Option<&[String]> {
 }
 
 fn comment(lines: &[String], indent: &str) -> String {
+    let lines = without_examples(lines);
     let line = |text: String| match text.as_str() {
         "" => format!("{indent}///\n"),
         text => format!("{indent}/// {text}\n"),
     };
-    clean(lines).map(line).collect()
+    clean(&lines).map(line).collect()
+}
+
+/// Without code blocks, which are examples in Rust, and blank lines that they leave at the end.
+fn without_examples(lines: &[String]) -> Vec<String> {
+    let mut inside = false;
+    let mut kept: Vec<String> = lines
+        .iter()
+        .filter(|line| {
+            let is_fence = strip_marks(line).trim_start().starts_with("```");
+            let keep = !inside && !is_fence;
+            inside ^= is_fence;
+            keep
+        })
+        .cloned()
+        .collect();
+    while kept.last().is_some_and(|line| strip_marks(line).is_empty()) {
+        kept.pop();
+    }
+    kept
 }
 
 /// One line each, and nothing in it that would end the comment or drag the next line into it.
@@ -71,6 +91,12 @@ fn strip_marks(line: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn examples_in_rust_stay_behind() {
+        let lines = ["A.", "", "```", "assert!(true);", "```", ""].map(str::to_owned);
+        assert_eq!(comment(&lines, ""), "/// A.\n");
+    }
 
     #[test]
     fn no_line_leaves_its_comment() {

@@ -12,6 +12,7 @@ use naga::back::hlsl;
 
 /// Writes the module as HLSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
+    refuse_group_count(module)?;
     let marked = mark::mark(module.module());
     let raw = guarded(Target::Hlsl, || {
         let mut raw = String::new();
@@ -25,6 +26,20 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
         }
     })?;
     tidy::finish(module.module(), &marked.marks, &mend_setters(&raw), Target::Hlsl, options)
+}
+
+/// HLSL has no input for the number of workgroups; naga reads it from a constant buffer that the host must
+/// fill, and without one it would be 0.
+fn refuse_group_count(module: &ValidModule) -> Result<(), EmitError> {
+    let wanted = Some(naga::Binding::BuiltIn(naga::BuiltIn::NumWorkGroups));
+    let reads = |e: &&naga::EntryPoint| e.function.arguments.iter().any(|a| a.binding == wanted);
+    match module.module().entry_points.iter().find(reads) {
+        None => Ok(()),
+        Some(entry) => Err(EmitError::Entry {
+            function: entry.name.clone(),
+            reason: "HLSL has no input for the number of workgroups; pass it in a uniform".to_owned(),
+        }),
+    }
 }
 
 /// Passes the structure to `SetMat..On..` by reference.

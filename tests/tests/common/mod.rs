@@ -51,3 +51,11 @@ impl Executor for Spoilt {
         Ok(output)
     }
 }
+
+/// Says aloud, past libtest's capture, that something was left out; under `LOBE_REQUIRE_TOOLS` it fails.
+#[track_caller]
+pub(crate) fn skip(what: &str, mend: &str) {
+    use std::io::Write;
+    assert!(std::env::var_os("LOBE_REQUIRE_TOOLS").is_none(), "{what} is missing: {mend}");
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {what} is missing: {mend}");
+}

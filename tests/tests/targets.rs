@@ -1,0 +1,85 @@
+//! Every kernel in every target is accepted by a tool of that language itself: naga for WGSL, spirv-val
+//! for SPIR-V, DXC for HLSL. A missing tool is a loud skip, and a failure under `LOBE_REQUIRE_TOOLS`.
+
+mod common;
+
+use lobe_backends::executor::Program;
+use lobe_backends::translate::dxc::{Dxc, DxcOutput};
+use lobe_backends::translate::{TranslateError, spirv_val};
+use lobe_codegen::emit::{Content, Options, Target, emit};
+use lobe_codegen::validate::from_wgsl;
+use lobe_kernels::registry::KERNELS;
+
+fn programs() -> impl Iterator<Item = Program> {
+    KERNELS.iter().map(|kernel| Program::new(*kernel).unwrap_or_else(|e| panic!("{e}")))
+}
+
+fn library(program: &Program, target: Target) -> String {
+    let artifact = emit(program.module(), target, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
+    artifact.content.text().expect("text").to_owned()
+}
+
+fn entry(program: &Program, target: Target) -> (String, Content) {
+    let (_, layout) = program.entry().unwrap_or_else(|e| panic!("{e}"));
+    let artifact = program.artifact(target).unwrap_or_else(|e| panic!("{e}"));
+    (layout.entry_name.clone(), artifact.content)
+}
+
+#[test]
+fn wgsl_parses_again_under_the_same_names() {
+    for program in programs() {
+        let name = program.name();
+        let again = from_wgsl(&library(&program, Target::Wgsl)).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(again.function(name).is_some(), "{name} is gone from its library");
+        let (entry_name, content) = entry(&program, Target::Wgsl);
+        let again = from_wgsl(content.text().expect("text")).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(again.module().entry_points[0].name, entry_name);
+    }
+}
+
+#[test]
+fn all_kernels_in_one_library_are_valid() {
+    let module = lobe_codegen::lower(KERNELS).unwrap_or_else(|e| panic!("{e}"));
+    let text = emit(&module, Target::Wgsl, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
+    let again = from_wgsl(text.content.text().expect("text")).unwrap_or_else(|e| panic!("{e}"));
+    for kernel in KERNELS {
+        assert!(again.function(kernel().name).is_some(), "{}", kernel().name);
+    }
+}
+
+#[test]
+fn spirv_is_valid_for_vulkan() {
+    for program in programs() {
+        let (_, content) = entry(&program, Target::Spirv);
+        let Content::Words(words) = content else { panic!("{}: not words", program.name()) };
+        match spirv_val::validate(&words) {
+            Ok(()) => {}
+            Err(TranslateError::NotFound { .. }) => return common::skip("spirv-val", "run tests/setup.sh"),
+            Err(error) => panic!("{}: {error}", program.name()),
+        }
+    }
+}
+
+#[test]
+fn hlsl_compiles_as_library_and_as_compute_shader() {
+    let dxc = match Dxc::find() {
+        Ok(dxc) => dxc,
+        Err(TranslateError::NotFound { .. }) => return common::skip("DXC", "run tests/setup.sh"),
+        Err(error) => panic!("{error}"),
+    };
+    for program in programs() {
+        let name = program.name();
+        let text = library(&program, Target::Hlsl);
+        let dxil = dxc.compile(&text, "lib_6_3", None, DxcOutput::Dxil);
+        // Functions that nobody exports would be dropped, and leave a container of under 3 KiB.
+        let size = dxil.unwrap_or_else(|e| panic!("{name}: {e}")).len();
+        assert!(size > 1024, "{name}: a library of {size} bytes");
+        let (entry_name, content) = entry(&program, Target::Hlsl);
+        let text = content.text().expect("text");
+        for output in [DxcOutput::Dxil, DxcOutput::Spirv] {
+            let object = dxc.compile(text, "cs_6_0", Some(&entry_name), output);
+            let bytes = object.unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert!(!bytes.is_empty(), "{name}");
+        }
+    }
+}
