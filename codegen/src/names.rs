@@ -13,7 +13,7 @@
 
 mod words;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -146,6 +146,16 @@ pub fn meanings(name: &str) -> Vec<(Meaning, Language)> {
         found.push((Meaning::Keyword, Language::Hlsl));
     }
     found
+}
+
+/// Every word that means something, with the languages in which it does.
+pub fn words() -> impl Iterator<Item = (&'static str, BTreeSet<Language>)> {
+    WORDS.iter().map(|(word, meanings)| (word.as_str(), meanings.iter().map(|&(_, l)| l).collect()))
+}
+
+/// The words that HLSL keeps for itself in any mixture of cases.
+pub fn words_in_any_case() -> impl Iterator<Item = &'static str> {
+    words::HLSL_ANY_CASE.split(' ')
 }
 
 fn check_spelling(name: &str) -> Result<(), NameError> {
