@@ -2,7 +2,7 @@
 //!
 //! The macro parses Rust and expands each item to itself (the native form) and to one of the
 //! definitions here.
-//! They hold syntax and source positions, no types of expressions: [`crate::lower`] infers those,
+//! They hold syntax and source positions, no types of expressions: [`lower`](mod@crate::lower) infers those,
 //! builds the naga module from them and reports every mistake at its Rust line.
 //!
 //! Everything is `'static` and built in constants, so that a definition costs nothing until used.

@@ -1,8 +1,8 @@
 //! The kernel language of Lobe and its way to shader source.
 //!
 //! A kernel is an ordinary Rust function under `#[kernel]`.
-//! It stays callable; beside it stands a definition ([`def`]) that [`lower`](crate::def) turns into a
-//! naga module, [`validate`] accepts, and [`emit`](crate::module) writes as WGSL, SPIR-V or HLSL.
+//! It stays callable; beside it stands a definition ([`def`]) that [`lower`](mod@lower) turns into a
+//! naga module, [`validate`] accepts, and [`emit`] writes as WGSL, SPIR-V or HLSL.
 //!
 //! Read first: [`def`] (what the macro writes down), [`intrinsics`] (the one table of operations),
 //! [`module`] (what the executors take).

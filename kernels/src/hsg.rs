@@ -1,5 +1,7 @@
 //! Spherical Gaussians over a hemisphere, and against the clamped cosine.
 
+#[allow(unused_imports, reason = "citations link to them")]
+use crate::references::Tokuyoshi22;
 use crate::sg::{Sg, sg_product_paper};
 use crate::special::{erf, expm1_over_x, expm1_over_x_higham, expm1_over_x_slope};
 use lobe_codegen::prelude::*;

@@ -19,14 +19,10 @@
 //! A form that a paper prints and that loses accuracy is kept beside the default as `.._paper` (or
 //! under its author's name), marked as not robust with the reason.
 //!
-//! Sources:
-//! - `[Higham02]` N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002.
-//! - `[Iwasaki12]` K. Iwasaki et al., Interactive Bi-scale Editing of Highly Glossy Materials, 2012.
-//! - `[Tokuyoshi22]` Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, with
-//!   its supplementary document.
-//! - `[Wang09]` J. Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009.
+//! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
 
 pub mod hsg;
+pub mod references;
 pub mod registry;
 pub mod sg;
 pub mod special;

@@ -1,5 +1,7 @@
 //! Spherical Gaussians: evaluation, integral, product.
 
+#[allow(unused_imports, reason = "citations link to them")]
+use crate::references::{Iwasaki12, Tokuyoshi22, Wang09};
 use crate::special::expm1_over_x;
 use lobe_codegen::prelude::*;
 

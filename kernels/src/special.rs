@@ -1,5 +1,7 @@
 //! Special functions of one variable that shading languages lack.
 
+#[allow(unused_imports, reason = "citations link to them")]
+use crate::references::{Higham02, Tokuyoshi22};
 use lobe_codegen::prelude::*;
 
 /// `(e^x - 1) / x`, and 1 at 0.

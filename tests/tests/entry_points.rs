@@ -33,7 +33,7 @@ pub fn group_sums(
             partial[lane as usize] += partial[(lane + stride) as usize];
         }
         workgroup_barrier();
-        stride = stride / 2;
+        stride /= 2;
     }
     if lane == 0 {
         sums[group.x as usize] = partial[0];

@@ -27,7 +27,7 @@ pub(crate) struct Args {
     /// Functions to include, or a complete compute shader for each kernel
     #[arg(long, value_enum, default_value_t = Form::Library)]
     form: Form,
-    /// Write all kernels of the library into one file, lobe.<extension>
+    /// Write all kernels of the library into one file, `lobe.EXTENSION`
     #[arg(long)]
     one_file: bool,
     /// Folder to write into, made if it is missing; `-` writes one kernel and target to standard output

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// Options.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// Folder of tables, files named <function>.jsonl
+    /// Folder of tables, files named `FUNCTION.jsonl`
     folder: PathBuf,
     /// Another mapping of tables to kernels than the standard one (tests/cases/oracle-map.json)
     #[arg(long, value_name = "FILE")]
