@@ -25,6 +25,9 @@ pub(crate) struct Args {
     /// Form of the report
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+    /// Show the worst row of every answer, with the command that runs it again
+    #[arg(long)]
+    worst: bool,
 }
 
 /// Runs the subcommand.
@@ -44,7 +47,12 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         bar.set_message(kernel().name);
         let found = judge(kernel, &plan, &mut opened.executors, &|rows| bar.inc(rows as u64));
         if args.format == Format::Human {
-            bar.suspend(|| output::print(&human::render_kernel(&found, output::style())))?;
+            bar.suspend(|| {
+                output::print(&human::render_kernel(
+                    &found,
+                    human::Style { worst: args.worst, ..output::style() },
+                ))
+            })?;
         }
         report.kernels.push(found);
     }

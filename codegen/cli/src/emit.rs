@@ -5,7 +5,7 @@ use crate::output;
 use crate::select;
 use lobe_codegen::ValidModule;
 use lobe_codegen::def::FunctionRef;
-use lobe_codegen::emit::{Options, Target, emit, with_entry};
+use lobe_codegen::emit::{Options, Target, emit, reflect, with_entry};
 use lobe_codegen::lower::lower;
 use std::path::{Path, PathBuf};
 
@@ -36,6 +36,9 @@ pub(crate) struct Args {
     /// Leave doc comments out
     #[arg(long)]
     no_docs: bool,
+    /// Leave out the JSON file beside each kernel's sources, which describes its functions, types and bindings
+    #[arg(long)]
+    no_reflection: bool,
 }
 
 /// What an artifact is for.
@@ -58,13 +61,11 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let kernels = select::kernels(&args.kernels)?;
     check_usage(args, kernels.len())?;
     let mut files = Vec::new();
-    for target in &args.targets {
-        if args.one_file {
-            files.push(file(args, "lobe", &kernels, *target)?);
-        } else {
-            for kernel in &kernels {
-                files.push(file(args, kernel().name, &[*kernel], *target)?);
-            }
+    if args.one_file {
+        files_of(args, "lobe", &kernels, &mut files)?;
+    } else {
+        for kernel in &kernels {
+            files_of(args, kernel().name, &[*kernel], &mut files)?;
         }
     }
     if args.out.as_os_str() == "-" {
@@ -93,12 +94,21 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     Ok(())
 }
 
-fn file(args: &Args, stem: &str, kernels: &[FunctionRef], target: Target) -> Result<File, Fail> {
+/// The sources of `kernels` in every target, and their description.
+fn files_of(args: &Args, stem: &str, kernels: &[FunctionRef], files: &mut Vec<File>) -> Result<(), Fail> {
     let module = module(args.form, kernels)?;
     let names = kernels.iter().map(|k| k().name.to_owned()).collect();
     let options = Options { docs: !args.no_docs, kernels: names, ..Options::default() };
-    let artifact = emit(&module, target, &options)?;
-    Ok(File { name: format!("{stem}.{}", target.extension()), bytes: artifact.content.bytes() })
+    for target in &args.targets {
+        let artifact = emit(&module, *target, &options)?;
+        let name = format!("{stem}.{}", target.extension());
+        files.push(File { name, bytes: artifact.content.bytes() });
+    }
+    if !args.no_reflection && args.out.as_os_str() != "-" {
+        let json = reflect(&module).to_json().map_err(|e| Fail::Defect(e.to_string()))?;
+        files.push(File { name: format!("{stem}.json"), bytes: json.into_bytes() });
+    }
+    Ok(())
 }
 
 fn module(form: Form, kernels: &[FunctionRef]) -> Result<ValidModule, Fail> {

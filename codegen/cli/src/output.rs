@@ -40,7 +40,7 @@ pub(crate) fn write_bytes(bytes: &[u8]) -> Result<(), Fail> {
 /// Colours on a terminal, unless `NO_COLOR` is set.
 pub(crate) fn style() -> Style {
     let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-    Style { colour: !refused && std::io::stdout().is_terminal() }
+    Style { colour: !refused && std::io::stdout().is_terminal(), worst: false }
 }
 
 /// A progress bar on a terminal, nothing elsewhere.

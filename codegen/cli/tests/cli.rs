@@ -285,3 +285,27 @@ fn a_worst_row_replays_as_printed() {
     let found = native["worst"]["found"].as_f64().expect("a number");
     assert!((value - found).abs() <= 1e-7 * found.abs(), "{value} {found}");
 }
+
+#[test]
+fn a_reflection_stands_beside_the_sources_unless_it_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().display().to_string();
+    let emit = ["emit", "sg_eval", "--target", "spirv", "--form", "entry", "--out", &out];
+    assert_holds(&lobe(&[&emit[..], &["--no-reflection"]].concat()));
+    assert_eq!(names(folder.path()), ["sg_eval.spv"]);
+    assert_holds(&lobe(&emit));
+    assert_eq!(names(folder.path()), ["sg_eval.json", "sg_eval.spv"]);
+    let json = std::fs::read_to_string(folder.path().join("sg_eval.json")).expect("readable");
+    let reflection: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(reflection["schema"], 1);
+    assert_eq!(reflection["entries"][0]["name"], "sg_eval_entry");
+    assert_eq!(reflection["structs"][0]["members"][1]["offset"], 12);
+}
+
+#[test]
+fn worst_rows_are_shown_when_asked_for() {
+    let check = ["check", "sg_integral", "--inputs", "200", "--route", "interp"];
+    assert!(!assert_holds(&lobe(&check)).contains("lobe eval"));
+    let all = assert_holds(&lobe(&[&check[..], &["--worst"]].concat()));
+    assert!(all.contains("| lobe eval sg_integral --args -"), "{all}");
+}

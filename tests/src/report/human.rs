@@ -9,6 +9,8 @@ use std::fmt::Write;
 pub struct Style {
     /// With terminal colours.
     pub colour: bool,
+    /// With the worst row of every answer, not only of those that fall short.
+    pub worst: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -53,7 +55,7 @@ pub fn render_kernel(kernel: &KernelReport, style: Style) -> String {
     out.push('\n');
     for answer in &kernel.answers {
         out += &line(answer, style);
-        if answer.falls_short()
+        if (style.worst || answer.falls_short())
             && let Some(worst) = &answer.worst
         {
             let _ = writeln!(out, "               {}", worst_line(&kernel.name, worst));
