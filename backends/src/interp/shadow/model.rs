@@ -36,6 +36,10 @@ impl Model for Shadow {
             Float::unbounded(value, exact)
         }
     }
+    /// A driver may have rounded a formula's constant either way.
+    fn constant(&self, exact: f64) -> Float {
+        Float::closed(exact as f32, exact, down(exact), up(exact))
+    }
     fn value(&self, a: Float) -> f32 {
         a.value
     }
