@@ -6,7 +6,7 @@ mod common;
 use lobe_backends::executor::Program;
 use lobe_backends::translate::dxc::{Dxc, DxcOutput};
 use lobe_backends::translate::{TranslateError, spirv_val};
-use lobe_codegen::emit::{Content, Options, Target, emit};
+use lobe_codegen::emit::{Content, Options, Target, emit, with_entries};
 use lobe_codegen::validate::from_wgsl;
 use lobe_kernels::registry::KERNELS;
 
@@ -44,6 +44,36 @@ fn all_kernels_in_one_library_are_valid() {
     let again = from_wgsl(text.content.text().expect("text")).unwrap_or_else(|e| panic!("{e}"));
     for kernel in KERNELS {
         assert!(again.function(kernel().name).is_some(), "{}", kernel().name);
+    }
+}
+
+/// One file with a compute shader for every kernel.
+#[test]
+fn all_kernels_as_entry_points_of_one_file_are_valid() {
+    let module = lobe_codegen::lower(KERNELS).unwrap_or_else(|e| panic!("{e}"));
+    let functions: Vec<_> = KERNELS.iter().filter_map(|k| module.function(k().name)).collect();
+    let (module, layouts) = with_entries(&module, &functions, 64).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(layouts.len(), KERNELS.len());
+    let written =
+        |target| emit(&module, target, &Options::default()).unwrap_or_else(|e| panic!("{e}")).content;
+    let again = from_wgsl(written(Target::Wgsl).text().expect("text")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(again.module().entry_points.len(), KERNELS.len());
+    let Content::Words(words) = written(Target::Spirv) else { panic!("not words") };
+    match spirv_val::validate(&words) {
+        Ok(()) => {}
+        Err(TranslateError::NotFound { .. }) => common::skip("spirv-val", "run tests/setup.sh"),
+        Err(error) => panic!("{error}"),
+    }
+    let hlsl = written(Target::Hlsl);
+    match Dxc::find() {
+        Err(error) => common::skip(&error.to_string(), "run tests/setup.sh"),
+        Ok(dxc) => {
+            for layout in &layouts {
+                let text = hlsl.text().expect("text");
+                let object = dxc.compile(text, "cs_6_0", Some(&layout.entry_name), DxcOutput::Dxil);
+                assert!(!object.unwrap_or_else(|e| panic!("{e}")).is_empty());
+            }
+        }
     }
 }
 

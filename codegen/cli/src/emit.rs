@@ -5,7 +5,7 @@ use crate::output;
 use crate::select;
 use lobe_codegen::ValidModule;
 use lobe_codegen::def::FunctionRef;
-use lobe_codegen::emit::{Options, Target, emit, reflect, with_entry};
+use lobe_codegen::emit::{Options, Target, emit, reflect, with_entries};
 use lobe_codegen::lower::lower;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,7 @@ pub(crate) struct Args {
     /// Functions to include, or a complete compute shader for each kernel
     #[arg(long, value_enum, default_value_t = Form::Library)]
     form: Form,
-    /// Write all kernels of the library into one file, `lobe.EXTENSION`
+    /// Write all kernels into one file, `lobe.EXTENSION`
     #[arg(long)]
     one_file: bool,
     /// Folder to write into, made if it is missing; `-` writes one kernel and target to standard output
@@ -81,9 +81,6 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     if args.kernels.is_empty() && !args.all {
         return usage("no kernel is named; name some, or give --all");
     }
-    if args.form == Form::Entry && args.one_file {
-        return usage("--one-file is for libraries: each entry point has its own bindings; leave it out");
-    }
     if args.form == Form::Library && args.targets.contains(&Target::Spirv) {
         return usage("SPIR-V has no libraries that Vulkan takes; add --form entry, or take a text target");
     }
@@ -113,11 +110,11 @@ fn files_of(args: &Args, stem: &str, kernels: &[FunctionRef], files: &mut Vec<Fi
 
 fn module(form: Form, kernels: &[FunctionRef]) -> Result<ValidModule, Fail> {
     let module = lower(kernels)?;
-    let single = kernels.first().and_then(|k| module.function(k().name));
-    match (form, single) {
-        (Form::Entry, Some(function)) => Ok(with_entry(&module, function, WORKGROUP)?.0),
-        (Form::Entry, None) | (Form::Library, _) => Ok(module),
+    if form == Form::Library {
+        return Ok(module);
     }
+    let functions: Vec<_> = kernels.iter().filter_map(|k| module.function(k().name)).collect();
+    Ok(with_entries(&module, &functions, WORKGROUP)?.0)
 }
 
 fn write_all(folder: &Path, files: &[File]) -> Result<(), Fail> {

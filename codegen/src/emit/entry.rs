@@ -41,17 +41,49 @@ pub fn with_entry(
     function: Handle<Function>,
     workgroup_size: u32,
 ) -> Result<(ValidModule, EntryLayout), EmitError> {
-    let Ok(callee) = module.module().functions.try_get(function) else {
-        let reason = "it is not a function of this module".to_owned();
-        return Err(EmitError::Entry { function: format!("{function:?}"), reason });
-    };
-    let name = callee.name.clone().unwrap_or_default();
-    let fail = |reason: String| EmitError::Entry { function: name.clone(), reason };
-    let mut builder = Builder::new(module.module().clone());
-    let layout = builder.build(function, &name, workgroup_size).map_err(&fail)?;
-    let built = builder.finish(&layout, &name);
-    let valid = validate::validate(built, module.meta().clone()).map_err(|error| fail(error.to_string()))?;
-    Ok((valid, layout))
+    let (module, mut layouts) = with_entries(module, &[function], workgroup_size)?;
+    match layouts.pop() {
+        Some(layout) => Ok((module, layout)),
+        None => {
+            let reason = "no entry point was made".to_owned();
+            Err(EmitError::Entry { function: format!("{function:?}"), reason })
+        }
+    }
+}
+
+/// Adds an entry point for each function, in one module.
+///
+/// All bind in group 0 from binding 0 on; of several, each has buffers of its own whose names begin with
+/// the function's (`<function>_<parameter>_values`, `<function>_results`, `<function>_row_count`).
+///
+/// # Errors
+/// As of [`with_entry`].
+pub fn with_entries(
+    module: &ValidModule,
+    functions: &[Handle<Function>],
+    workgroup_size: u32,
+) -> Result<(ValidModule, Vec<EntryLayout>), EmitError> {
+    let mut built = module.module().clone();
+    let mut layouts = Vec::new();
+    for &function in functions {
+        let Ok(callee) = built.functions.try_get(function) else {
+            let reason = "it is not a function of this module".to_owned();
+            return Err(EmitError::Entry { function: format!("{function:?}"), reason });
+        };
+        let name = callee.name.clone().unwrap_or_default();
+        let prefix = if functions.len() > 1 { format!("{name}_") } else { String::new() };
+        let mut builder = Builder::new(built, prefix);
+        let layout = builder
+            .build(function, &name, workgroup_size)
+            .map_err(|reason| EmitError::Entry { function: name.clone(), reason })?;
+        built = builder.finish(&layout, &name);
+        layouts.push(layout);
+    }
+    let valid = validate::validate(built, module.meta().clone()).map_err(|error| {
+        let function = layouts.iter().map(|l| l.entry_name.clone()).collect::<Vec<_>>().join(", ");
+        EmitError::Entry { function, reason: error.to_string() }
+    })?;
+    Ok((valid, layouts))
 }
 
 /// An entry point in the making.
@@ -59,12 +91,14 @@ struct Builder {
     module: Module,
     body: Function,
     u32: Handle<Type>,
+    /// Before the names of its buffers.
+    prefix: String,
 }
 
 impl Builder {
-    fn new(mut module: Module) -> Self {
+    fn new(mut module: Module, prefix: String) -> Self {
         let u32 = add_type(&mut module, TypeInner::Scalar(naga::Scalar::U32));
-        Self { module, body: Function::default(), u32 }
+        Self { module, body: Function::default(), u32, prefix }
     }
 
     fn build(&mut self, function: Handle<Function>, name: &str, size: u32) -> Result<EntryLayout, String> {
@@ -183,7 +217,7 @@ impl Builder {
         ty: Handle<Type>,
     ) -> Handle<Expression> {
         let global = naga::GlobalVariable {
-            name: Some(name.to_owned()),
+            name: Some(format!("{}{name}", self.prefix)),
             space,
             binding: Some(naga::ResourceBinding { group: 0, binding }),
             ty,

@@ -27,7 +27,7 @@ mod tidy;
 mod wgsl;
 
 pub use clash::ClashError;
-pub use entry::{EntryLayout, with_entry};
+pub use entry::{EntryLayout, with_entries, with_entry};
 pub use reflect::{Reflection, reflect};
 
 use crate::ValidModule;
