@@ -64,7 +64,7 @@ pub fn with_entries(
     workgroup_size: u32,
 ) -> Result<(ValidModule, Vec<EntryLayout>), EmitError> {
     let mut built = module.module().clone();
-    let mut layouts = Vec::new();
+    let (mut layouts, mut names) = (Vec::new(), Vec::new());
     for &function in functions {
         let Ok(callee) = built.functions.try_get(function) else {
             let reason = "it is not a function of this module".to_owned();
@@ -78,11 +78,10 @@ pub fn with_entries(
             .map_err(|reason| EmitError::Entry { function: name.clone(), reason })?;
         built = builder.finish(&layout, &name);
         layouts.push(layout);
+        names.push(name);
     }
-    let valid = validate::validate(built, module.meta().clone()).map_err(|error| {
-        let function = layouts.iter().map(|l| l.entry_name.clone()).collect::<Vec<_>>().join(", ");
-        EmitError::Entry { function, reason: error.to_string() }
-    })?;
+    let valid = validate::validate(built, module.meta().clone())
+        .map_err(|error| EmitError::Entry { function: names.join(", "), reason: error.to_string() })?;
     Ok((valid, layouts))
 }
 
