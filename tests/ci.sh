@@ -14,7 +14,7 @@ export LOBE_REQUIRE_TOOLS=1
 export INSTA_UPDATE=no
 [[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
 
-all=(setup format lint test doc check oracle)
+all=(setup format lint test doc check oracle measure)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
@@ -33,6 +33,8 @@ step_check() {
 }
 # The tables that came with the kernels, on every route.
 step_oracle() { cargo run --release -- oracle tests/cases/oracle; }
+# The figures in the documentation are those of today.
+step_measure() { cargo run --release -- measure --check; }
 }
 
 command -v cargo >/dev/null || { echo "ci: cargo is missing: install Rust from https://rustup.rs" >&2; exit 1; }

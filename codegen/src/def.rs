@@ -196,7 +196,7 @@ pub struct FunctionDef {
     pub name: &'static str,
     /// `module_path!()` of the definition.
     pub module: &'static str,
-    /// Doc comment, a line an item, without its leading space.
+    /// Doc comment, a line an item, without its leading space; a text that it includes is one item.
     pub docs: &'static [&'static str],
     /// Where it was written.
     pub source: Source,
@@ -516,6 +516,8 @@ pub struct Contract {
     pub not_robust: Option<&'static str>,
     /// The exact function that the body approximates.
     pub truth: Option<Truth>,
+    /// The text of the file of measured errors; its first paragraph goes into emitted comments.
+    pub measured: Option<&'static str>,
 }
 
 /// The domain of one argument, or of a part of it.

@@ -113,6 +113,7 @@ fn lowered(value: &'static Expr) -> Result<ValidModule, String> {
             budget: &[],
             variant_of: None,
             not_robust: None,
+            measured: None,
             truth: None,
         },
         native: None,

@@ -46,7 +46,7 @@ pub const COSINE_AMPLITUDE: f32 = 1182.2467339678153;
 /// Returns the ratio, in 0 ..= 0.301; `t` approaches `sqrt(k/2)` for sharp lobes.
 ///
 /// Numerics: the sharpness is clamped to 1e9, beyond which its square would overflow at last.
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 6", domain(sharpness = 0.0..=1e6), budget(1e-6 * result))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 6", domain(sharpness = 0.0..=1e6), budget(1e-6 * result), measured)]
 pub fn hsg_steepness(sharpness: f32) -> f32 {
     let k = min(sharpness, 1e9);
     sqrt((0.5 * k + STEEPNESS_A) / ((k + STEEPNESS_B) * k + STEEPNESS_C))
@@ -62,7 +62,7 @@ pub fn hsg_steepness(sharpness: f32) -> f32 {
 /// | `sharpness` | `k` | 0 ..= 1e6 | 1 |
 ///
 /// Returns the integral in sr, in 0 ..= 2π; 2π at sharpness 0.
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] supplement section 2.2", domain(sharpness = 0.0..=1e6), budget(2e-6 * result))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] supplement section 2.2", domain(sharpness = 0.0..=1e6), budget(2e-6 * result), measured)]
 pub fn hsg_upper_integral(sharpness: f32) -> f32 {
     TWO_PI * expm1_over_x(-sharpness)
 }
@@ -79,7 +79,7 @@ pub fn hsg_upper_integral(sharpness: f32) -> f32 {
 /// Returns the ratio, in -1 ..= 1, with the sign of `c`.
 ///
 /// Numerics: for `t < 1e-4` it is `c` to within 3e-9.
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 5", domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6), budget(6e-6))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 5", domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6), budget(6e-6), measured)]
 pub fn hsg_ratio(cosine: f32, sharpness: f32) -> f32 {
     let c = clamp(cosine, -1.0, 1.0);
     let t = sharpness * hsg_steepness(sharpness);
@@ -109,7 +109,8 @@ pub fn hsg_ratio(cosine: f32, sharpness: f32) -> f32 {
     family = "hsg",
     cite = "[Tokuyoshi22] eq. 5, supplement listing 3",
     domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6),
-    budget(4e-6 * hsg_upper_integral(sharpness))
+    budget(4e-6 * hsg_upper_integral(sharpness)),
+    measured
 )]
 pub fn hsg_integral(cosine: f32, sharpness: f32) -> f32 {
     let ratio = hsg_ratio(cosine, sharpness);
@@ -131,7 +132,8 @@ pub fn hsg_integral(cosine: f32, sharpness: f32) -> f32 {
     domain(cosine = -1.0..=1.0, sharpness = 0.0..=1e6),
     budget(4e-6 * hsg_upper_integral(sharpness)),
     variant_of = hsg_integral,
-    not_robust = "listing 4 needs a logarithm that is accurate near 1, and 0/0 at sharpness 0"
+    not_robust = "listing 4 needs a logarithm that is accurate near 1, and 0/0 at sharpness 0",
+    measured
 )]
 pub fn hsg_integral_paper(cosine: f32, sharpness: f32) -> f32 {
     let steepness = sharpness
@@ -154,7 +156,7 @@ pub fn hsg_integral_paper(cosine: f32, sharpness: f32) -> f32 {
 ///
 /// Numerics: written `a l cosine expm1_over_x(l cosine)`, since `e^(l cosine) - 1` cancels and the
 /// amplitude multiplies what is lost by 1182 ([`clamped_cosine_paper`]).
-#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 3", domain(cosine = -1.0..=1.0), budget(2e-6 * result + 1e-37))]
+#[kernel(family = "hsg", cite = "[Tokuyoshi22] eq. 3", domain(cosine = -1.0..=1.0), budget(2e-6 * result + 1e-37), measured)]
 pub fn clamped_cosine(cosine: f32) -> f32 {
     let c = max(cosine, 0.0);
     COSINE_AMPLITUDE * COSINE_SHARPNESS * c * expm1_over_x(COSINE_SHARPNESS * c)
@@ -169,7 +171,8 @@ pub fn clamped_cosine(cosine: f32) -> f32 {
     domain(cosine = -1.0..=1.0),
     budget(2e-6 * result + 1e-37),
     variant_of = clamped_cosine,
-    not_robust = "exp(l cosine) - 1 cancels, and the amplitude multiplies the error by 1182"
+    not_robust = "exp(l cosine) - 1 cancels, and the amplitude multiplies the error by 1182",
+    measured
 )]
 pub fn clamped_cosine_paper(cosine: f32) -> f32 {
     COSINE_AMPLITUDE * (exp(COSINE_SHARPNESS * max(cosine, 0.0)) - 1.0)
@@ -199,7 +202,8 @@ pub fn clamped_cosine_paper(cosine: f32) -> f32 {
     family = "hsg",
     cite = "[Tokuyoshi22] supplement listing 1, gradient form",
     domain(sg.sharpness = 0.0..=1e5, sg.log_amplitude = -4.0..=4.0, normal = unit),
-    budget(1e-5 * exp(sg.log_amplitude) * hsg_upper_integral(sg.sharpness))
+    budget(1e-5 * exp(sg.log_amplitude) * hsg_upper_integral(sg.sharpness)),
+    measured
 )]
 pub fn hsg_cosine_product_integral(sg: Sg, normal: Vec3) -> f32 {
     let amplitude = exp(sg.log_amplitude);
@@ -244,7 +248,8 @@ pub fn hsg_cosine_product_integral(sg: Sg, normal: Vec3) -> f32 {
     domain(sg.sharpness = 0.0..=1e5, sg.log_amplitude = -4.0..=4.0, normal = unit),
     budget(1e-5 * exp(sg.log_amplitude) * hsg_upper_integral(sg.sharpness)),
     variant_of = hsg_cosine_product_integral,
-    not_robust = "a difference of near values, multiplied by 1182"
+    not_robust = "a difference of near values, multiplied by 1182",
+    measured
 )]
 pub fn hsg_cosine_product_integral_paper(sg: Sg, normal: Vec3) -> f32 {
     let cosine_lobe = Sg { axis: normal, sharpness: COSINE_SHARPNESS, log_amplitude: 0.0 };

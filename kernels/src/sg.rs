@@ -37,7 +37,7 @@ pub struct Sg {
 ///
 /// Numerics: the chord keeps the exponent's relative accuracy near the axis, where `w·v - 1` cancels and
 /// [`sg_eval_paper`] loses all digits at a sharpness of 1e6. The budget is stated against the peak.
-#[kernel(family = "sg", cite = "[Wang09] eq. 1", domain(dir = unit), budget((1.5e-6 + 5e-7 * abs(sg.log_amplitude)) * exp(sg.log_amplitude)))]
+#[kernel(family = "sg", cite = "[Wang09] eq. 1", domain(dir = unit), budget((1.5e-6 + 5e-7 * abs(sg.log_amplitude)) * exp(sg.log_amplitude)), measured)]
 pub fn sg_eval(dir: Vec3, sg: Sg) -> f32 {
     let chord = dir - sg.axis;
     exp(sg.log_amplitude) * exp(-0.5 * sg.sharpness * dot(chord, chord))
@@ -55,7 +55,8 @@ pub fn sg_eval(dir: Vec3, sg: Sg) -> f32 {
     domain(dir = unit),
     budget((1.5e-6 + 5e-7 * abs(sg.log_amplitude)) * exp(sg.log_amplitude)),
     variant_of = sg_eval,
-    not_robust = "dot(dir, axis) - 1 cancels near the axis, and the sharpness multiplies its error"
+    not_robust = "dot(dir, axis) - 1 cancels near the axis, and the sharpness multiplies its error",
+    measured
 )]
 pub fn sg_eval_paper(dir: Vec3, sg: Sg) -> f32 {
     exp(sg.log_amplitude) * exp(sg.sharpness * (dot(dir, sg.axis) - 1.0))
@@ -71,7 +72,7 @@ pub fn sg_eval_paper(dir: Vec3, sg: Sg) -> f32 {
 /// | `sharpness` | `k` | 0 ..= 1e6 | 1 |
 ///
 /// Returns the integral in sr, in 0 ..= 4π; 4π at sharpness 0.
-#[kernel(family = "sg", cite = "[Wang09] section 3", domain(sharpness = 0.0..=1e6), budget(2e-6 * result))]
+#[kernel(family = "sg", cite = "[Wang09] section 3", domain(sharpness = 0.0..=1e6), budget(2e-6 * result), measured)]
 pub fn sg_integral(sharpness: f32) -> f32 {
     FOUR_PI * expm1_over_x(-2.0 * sharpness)
 }
@@ -101,7 +102,8 @@ pub fn sg_integral(sharpness: f32) -> f32 {
         axis = 2e-6 + 2e-6 * max(a.sharpness, b.sharpness) / max(result.sharpness, 1e-6 * max(a.sharpness, b.sharpness) + 1e-36) + 1e-30 / max(max(a.sharpness, b.sharpness), 1e-30),
         sharpness = 3.5e-6 * max(a.sharpness, b.sharpness) + 1e-30,
         log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn sg_product(a: Sg, b: Sg) -> Sg {
     // The floors here and below keep two constant lobes from dividing by zero; otherwise `ra + rb >= 1`.
@@ -136,7 +138,8 @@ pub fn sg_product(a: Sg, b: Sg) -> Sg {
         log_amplitude = 3.5e-6 * abs(result.log_amplitude - a.log_amplitude - b.log_amplitude) + 5e-7 * (abs(a.log_amplitude) + abs(b.log_amplitude)) + 1e-30
     ),
     variant_of = sg_product,
-    not_robust = "cosine - 1 cancels for near-parallel axes and the sharpness multiplies its error; 0/0 for two constant lobes"
+    not_robust = "cosine - 1 cancels for near-parallel axes and the sharpness multiplies its error; 0/0 for two constant lobes",
+    measured
 )]
 pub fn sg_product_paper(a: Sg, b: Sg) -> Sg {
     let weighted = a.axis * a.sharpness + b.axis * b.sharpness;
@@ -170,7 +173,8 @@ pub fn sg_product_paper(a: Sg, b: Sg) -> Sg {
 #[kernel(
     family = "sg",
     cite = "[Wang09] section 3",
-    budget((4e-6 + 4e-6 * abs(sg_product(a, b).log_amplitude - a.log_amplitude - b.log_amplitude) + 1e-6 * (abs(a.log_amplitude) + abs(b.log_amplitude))) * result + 1e-35)
+    budget((4e-6 + 4e-6 * abs(sg_product(a, b).log_amplitude - a.log_amplitude - b.log_amplitude) + 1e-6 * (abs(a.log_amplitude) + abs(b.log_amplitude))) * result + 1e-35),
+    measured
 )]
 pub fn sg_sg_product_integral(a: Sg, b: Sg) -> f32 {
     let product = sg_product(a, b);
@@ -194,7 +198,8 @@ pub fn sg_sg_product_integral(a: Sg, b: Sg) -> f32 {
     cite = "[Iwasaki12]",
     domain(a.sharpness = 1e-3..=1e6, b.sharpness = 1e-3..=1e6),
     budget((4e-6 + 1.5e-6 * a.sharpness * b.sharpness / (a.sharpness + b.sharpness) * dot(a.axis - b.axis, a.axis - b.axis) + 1.5e-6 * abs(a.log_amplitude) + 1.5e-6 * abs(b.log_amplitude)) * result + 1e-35),
-    variant_of = sg_sg_product_integral
+    variant_of = sg_sg_product_integral,
+    measured
 )]
 pub fn sg_sg_product_integral_iwasaki(a: Sg, b: Sg) -> f32 {
     // The floor keeps two constant lobes, for which the form has no value, from giving NaN.

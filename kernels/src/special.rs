@@ -27,7 +27,8 @@ use lobe_codegen::prelude::*;
     cite = "definition; series",
     domain(x = -1e7..=80.0),
     budget((2e-6 + 3e-7 * max(x, 0.0)) * result),
-    truth = exact_expm1_over_x
+    truth = exact_expm1_over_x,
+    measured
 )]
 pub fn expm1_over_x(x: f32) -> f32 {
     if abs(x) < 1.0 {
@@ -63,7 +64,8 @@ fn exact_expm1_over_x(x: f64) -> f64 {
     cite = "definition; series",
     domain(x = -1e7..=80.0),
     budget((5e-6 + 3e-7 * max(x, 0.0)) * result),
-    truth = exact_expm1_over_x_slope
+    truth = exact_expm1_over_x_slope,
+    measured
 )]
 pub fn expm1_over_x_slope(x: f32) -> f32 {
     if abs(x) < 1.0 {
@@ -106,7 +108,8 @@ fn exact_expm1_over_x_slope(x: f64) -> f64 {
     domain(x = -1e7..=80.0),
     budget((2e-6 + 3e-7 * max(x, 0.0)) * result),
     variant_of = expm1_over_x,
-    not_robust = "it needs a logarithm that is accurate near 1, and the languages allow an absolute error of 2^-21 there"
+    not_robust = "it needs a logarithm that is accurate near 1, and the languages allow an absolute error of 2^-21 there",
+    measured
 )]
 pub fn expm1_over_x_higham(x: f32) -> f32 {
     let u = exp(x);
@@ -138,7 +141,8 @@ pub fn expm1_over_x_higham(x: f32) -> f32 {
     cite = "[Tokuyoshi22] supplement listing 5",
     domain(x = -1e6..=1e6),
     budget(6e-7 * abs(result) + 1e-37),
-    truth = exact_erf
+    truth = exact_erf,
+    measured
 )]
 pub fn erf(x: f32) -> f32 {
     let a = abs(x);

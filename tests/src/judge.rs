@@ -101,16 +101,33 @@ fn answers(
     let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
     report.take_inputs(&inputs);
     let mut questions = Questions::new(routes);
-    let mut start = 0;
-    while start < inputs.args.rows {
-        let end = (start + BATCH).min(inputs.args.rows);
-        questions.ask(&subject, &inputs.args.slice(start..end), routes)?;
-        progress(end - start);
-        start = end;
-    }
+    each_batch(&subject, &inputs.args, routes, &mut |batch| {
+        questions.ask(batch);
+        progress(batch.args.rows);
+    })?;
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
     answers.extend(questions.finish(&subject));
     Ok(answers)
+}
+
+/// Runs `args` on `routes`, batch by batch.
+pub(crate) fn each_batch(
+    subject: &Subject,
+    args: &Columns,
+    routes: &mut [Box<dyn Executor>],
+    take: &mut dyn FnMut(&Batch<'_>),
+) -> Result<(), JudgeError> {
+    for start in (0..args.rows).step_by(BATCH) {
+        let args = args.slice(start..(start + BATCH).min(args.rows));
+        let shadow = subject.program().shadow(&args, None)?;
+        let permitted = subject.permitted(&args, &shadow)?;
+        let outputs: Vec<_> = routes
+            .iter_mut()
+            .map(|r| (r.route().clone(), r.run(subject.program(), &args).map_err(|e| e.to_string())))
+            .collect();
+        take(&Batch { subject, args: &args, shadow: &shadow, permitted: &permitted, outputs: &outputs });
+    }
+    Ok(())
 }
 
 struct Questions {
@@ -131,24 +148,11 @@ impl Questions {
         }
     }
 
-    fn ask(
-        &mut self,
-        subject: &Subject,
-        args: &Columns,
-        routes: &mut [Box<dyn Executor>],
-    ) -> Result<(), JudgeError> {
-        let shadow = subject.program().shadow(args, None)?;
-        let permitted = subject.permitted(args, &shadow)?;
-        let outputs: Vec<_> = routes
-            .iter_mut()
-            .map(|r| (r.route().clone(), r.run(subject.program(), args).map_err(|e| e.to_string())))
-            .collect();
-        let batch = Batch { subject, args, shadow: &shadow, permitted: &permitted, outputs: &outputs };
-        self.approximation.absorb(&batch);
-        self.robust.absorb(&batch);
-        self.conformant.absorb(&batch);
-        self.agree.absorb(&batch);
-        Ok(())
+    fn ask(&mut self, batch: &Batch<'_>) {
+        self.approximation.absorb(batch);
+        self.robust.absorb(batch);
+        self.conformant.absorb(batch);
+        self.agree.absorb(batch);
     }
 
     fn finish(self, subject: &Subject) -> Vec<Answer> {

@@ -1,10 +1,12 @@
 //! The harness: inputs out of stated domains, the four questions, oracle tables, reports.
 //!
-//! [`judge::judge`] asks one kernel all questions; [`oracle`] judges by tables of independent values.
+//! [`judge::judge`] asks one kernel all questions; [`oracle`] judges by tables of independent values;
+//! [`measure`] writes the worst errors down that the documentation shows.
 
 pub mod cases;
 pub mod domain;
 pub mod judge;
+pub mod measure;
 pub mod operations;
 pub mod oracle;
 pub mod question;

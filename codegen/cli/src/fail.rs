@@ -4,6 +4,7 @@ use lobe_backends::executor::ExecError;
 use lobe_backends::routes::OpenError;
 use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
+use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::value::RowError;
 use std::path::PathBuf;
@@ -42,6 +43,8 @@ pub(crate) enum Fail {
     Write { path: PathBuf, cause: std::io::Error },
     #[error("standard output cannot be written: {0}")]
     Stdout(std::io::Error),
+    #[error(transparent)]
+    Judge(#[from] JudgeError),
     #[error(transparent)]
     Table(#[from] TableError),
     #[error(transparent)]
@@ -83,7 +86,12 @@ impl Fail {
             | Self::Stdout(_)
             | Self::Table(_) => 2,
             Self::Open(_) => 3,
-            Self::Exec(_) | Self::Lower(_) | Self::Emit(_) | Self::Mapping(_) | Self::Defect(_) => 1,
+            Self::Exec(_)
+            | Self::Lower(_)
+            | Self::Emit(_)
+            | Self::Mapping(_)
+            | Self::Judge(_)
+            | Self::Defect(_) => 1,
         }
     }
 }

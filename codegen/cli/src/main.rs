@@ -8,6 +8,7 @@ mod emit;
 mod eval;
 mod fail;
 mod list;
+mod measure;
 mod oracle;
 mod output;
 mod route;
@@ -39,6 +40,8 @@ enum Command {
     Check(check::Args),
     /// Judge kernels by a folder of tables of high-precision values
     Oracle(oracle::Args),
+    /// Measure the worst errors that the documentation of kernels shows
+    Measure(measure::Args),
     /// Say which routes and tools this machine has, and how to get the others
     Doctor(doctor::Args),
 }
@@ -59,6 +62,7 @@ fn run(command: &Command) -> Result<Outcome, Fail> {
         Command::Eval(args) => eval::run(args),
         Command::Check(args) => check::run(args),
         Command::Oracle(args) => oracle::run(args),
+        Command::Measure(args) => measure::run(args),
         Command::Doctor(args) => doctor::run(args),
     }
 }

@@ -309,3 +309,49 @@ fn worst_rows_are_shown_when_asked_for() {
     let all = assert_holds(&lobe(&[&check[..], &["--worst"]].concat()));
     assert!(all.contains("| lobe eval sg_integral --args -"), "{all}");
 }
+
+#[test]
+fn what_was_measured_is_written_once_and_held() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path().display().to_string();
+    let run = |rest: &[&str]| {
+        let args = ["measure", "erf", "--inputs", "300", "--folder", &at];
+        lobe(&[&args[..], &STRICT[..], rest].concat())
+    };
+    let missing = run(&["--check"]);
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(text(&missing.stdout).contains("mend: lobe measure erf --write"), "{}", text(&missing.stdout));
+    assert!(assert_holds(&run(&["--write"])).contains("erf.md"));
+    assert_eq!(assert_holds(&run(&["--write"])), "", "what is up to date is not written again");
+    assert!(assert_holds(&run(&["--check"])).contains("all files are what would be written"));
+    let path = folder.path().join("erf.md");
+    let good = std::fs::read_to_string(&path).expect("readable");
+    let place = good.find("| 0.").expect("a share");
+    let spoilt = format!("{}| 0.0001{}", &good[..place], &good[place + 4..]);
+    std::fs::write(&path, spoilt).expect("writable");
+    let stale = run(&["--check"]);
+    assert_eq!(stale.status.code(), Some(1));
+    assert!(text(&stale.stdout).contains("file: | "), "{}", text(&stale.stdout));
+    let seed = run(&["--check", "--seed", "8"]);
+    assert_eq!(seed.status.code(), Some(1));
+}
+
+#[test]
+fn figures_of_a_driver_that_is_not_here_are_kept_and_said_not_to_be_compared() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path().display().to_string();
+    let run = |rest: &[&str]| {
+        let args = ["measure", "erf", "--inputs", "300", "--folder", &at];
+        lobe(&[&args[..], &STRICT[..], rest].concat())
+    };
+    assert_holds(&run(&["--write"]));
+    let path = folder.path().join("erf.md");
+    let text = std::fs::read_to_string(&path).expect("readable");
+    let (table, rest) = text.split_once("\n\n<!--").expect("the last line");
+    let row = "| `spirv` on nix | 0.5 | 1e-9 | 1 | |";
+    let with = format!("{table}\n{row}\n\n- nix is a card\n\n<!--{rest}");
+    std::fs::write(&path, &with).expect("writable");
+    assert!(assert_holds(&run(&["--check"])).contains("NOT COMPARED: nix in 1 file"));
+    assert_holds(&run(&["--write"]));
+    assert_eq!(std::fs::read_to_string(&path).expect("readable"), with);
+}

@@ -17,6 +17,8 @@ pub(crate) struct Contract {
     pub(crate) variant_of: Option<Path>,
     pub(crate) not_robust: Option<LitStr>,
     pub(crate) truth: Option<Path>,
+    /// `measured`, where it stands.
+    pub(crate) measured: Option<Ident>,
     pub(crate) workgroup_size: Option<[u32; 3]>,
     /// The names of the arguments, in order.
     written: Vec<Ident>,
@@ -103,6 +105,7 @@ fn argument(input: ParseStream<'_>, contract: &mut Contract) -> syn::Result<()> 
         "not_robust" => contract.not_robust = Some(text(input, &name)?),
         "variant_of" => contract.variant_of = Some(assigned(input)?),
         "truth" => contract.truth = Some(assigned(input)?),
+        "measured" => contract.measured = Some(name),
         "domain" => contract.domain.extend(listed::<DomainRow>(input)?),
         "budget" => contract.budget.extend(listed::<BudgetRow>(input)?),
         "workgroup_size" => contract.workgroup_size = Some(workgroup_size(input, &name)?),
@@ -111,7 +114,7 @@ fn argument(input: ParseStream<'_>, contract: &mut Contract) -> syn::Result<()> 
                 name.span(),
                 format!(
                     "`{other}` is no argument of #[kernel]; there are family, cite, domain(..), budget(..), \
-                     variant_of, not_robust, truth and workgroup_size(..)"
+                     variant_of, not_robust, truth, measured and workgroup_size(..)"
                 ),
             ));
         }

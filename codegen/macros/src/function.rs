@@ -7,7 +7,7 @@ use crate::parameter::{self, Parameter};
 use crate::scope::Scope;
 use crate::{names, source, types};
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::{ItemFn, ReturnType, Type};
 
 /// The function, without the attributes that only this macro knows, and its definition.
@@ -36,7 +36,18 @@ pub(crate) fn expand(
     let function = Function { item: &item, source, span, parameters: &parameters, result: result.as_ref() };
     let definition = function.definition(&contract, errors);
     let allowed = allowed_lints();
+    if let Some(at) = &contract.measured {
+        let text = measured_file(&item.sig.ident, at);
+        item.attrs.push(syn::parse_quote!(#[doc = ""]));
+        item.attrs.push(syn::parse_quote!(#[doc = #text]));
+    }
     (quote!(#allowed #item), definition)
+}
+
+/// The text of `src/measured/NAME.md`, which `lobe measure --write` writes.
+fn measured_file(name: &Ident, at: &Ident) -> TokenStream {
+    let path = format!("/src/measured/{}.md", crate::scope::plain(name));
+    quote_spanned!(at.span()=> ::core::include_str!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), #path)))
 }
 
 /// Lints whose advice lies outside the kernel language.
@@ -227,6 +238,13 @@ impl Function<'_> {
                 quote!(None)
             }
         };
+        let measured = match &contract.measured {
+            Some(at) => {
+                let text = measured_file(&self.item.sig.ident, at);
+                quote!(Some(#text))
+            }
+            None => quote!(None),
+        };
         quote!(::lobe_codegen::def::Contract {
             family: #family,
             cite: #cite,
@@ -235,6 +253,7 @@ impl Function<'_> {
             variant_of: #variant_of,
             not_robust: #not_robust,
             truth: #truth,
+            measured: #measured,
         })
     }
 

@@ -44,6 +44,7 @@ use proc_macro::TokenStream;
 ///     variant_of = path::to::kernel,                  // another form of that kernel
 ///     not_robust = "why the budget cannot hold",      // an expected failure
 ///     truth = path::to::function,                     // fn(f64) -> f64 that the body approximates
+///     measured,                                       // show src/measured/NAME.md, by `lobe measure --write`
 ///     workgroup_size(64),                             // an entry point
 /// )]
 /// ```

@@ -55,14 +55,20 @@ fn first_line(first: proc_macro::Span) -> usize {
 }
 
 /// The lines of the doc comment among `attributes`, as a slice of strings.
+///
+/// The value of `#[doc = include_str!(..)]` or another macro is rustc's to compute: it is one string of lines.
 pub(crate) fn docs(attributes: &[syn::Attribute]) -> TokenStream {
-    let lines = attributes.iter().filter_map(|a| {
-        let syn::Meta::NameValue(meta) = &a.meta else { return None };
-        let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = &meta.value else { return None };
-        meta.path.is_ident("doc").then(|| text.value())
+    let values = attributes.iter().filter_map(|a| match &a.meta {
+        syn::Meta::NameValue(meta) if meta.path.is_ident("doc") => Some(&meta.value),
+        _ => None,
     });
-    let lines = lines.flat_map(|text| {
-        text.split('\n').map(|l| l.strip_prefix(' ').unwrap_or(l).to_owned()).collect::<Vec<_>>()
+    let lines = values.flat_map(|value| match value {
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => {
+            let lines = text.value();
+            lines.split('\n').map(|l| l.strip_prefix(' ').unwrap_or(l).to_token_stream()).collect()
+        }
+        syn::Expr::Macro(call) => vec![call.to_token_stream()],
+        _ => Vec::new(),
     });
     quote!(&[#(#lines),*])
 }

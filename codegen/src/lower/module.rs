@@ -59,8 +59,9 @@ impl ModuleBuilder {
         if let Some(truth) = def.contract.truth {
             self.meta.truths.insert(handle, truth);
         }
-        if !def.docs.is_empty() {
-            self.docs.functions.insert(handle, owned(def.docs));
+        let docs = with_measured(def);
+        if !docs.is_empty() {
+            self.docs.functions.insert(handle, docs);
         }
         Ok(handle)
     }
@@ -323,8 +324,22 @@ fn has_atomic(ty: &TypeDef) -> bool {
     }
 }
 
+/// The doc comment of a function, and after it the first paragraph of what was measured of it.
+fn with_measured(def: &FunctionDef) -> Vec<String> {
+    let mut docs = owned(def.docs);
+    if let Some(text) = def.contract.measured {
+        docs.push(String::new());
+        docs.extend(text.lines().take_while(|line| !line.is_empty()).map(str::to_owned));
+    }
+    docs
+}
+
+/// A line an item; a text that the comment includes has several.
 fn owned(docs: &[&str]) -> Vec<String> {
-    docs.iter().map(|&line| line.to_owned()).collect()
+    docs.iter()
+        .flat_map(|text| text.strip_suffix('\n').unwrap_or(text).split('\n'))
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The type of the parts of a composite type.

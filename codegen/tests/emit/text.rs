@@ -2,6 +2,7 @@
 
 use crate::common::{artifact, module, rich, text};
 use lobe_codegen::emit::{Content, Options, Target, emit, with_entry};
+use lobe_codegen::prelude::*;
 
 #[test]
 fn doc_comments_stand_above_what_they_document() {
@@ -27,6 +28,20 @@ fn doc_comments_stand_above_what_they_document() {
             emit(&rich(), target, &Options { docs: false, header: false, ..Options::default() }).unwrap();
         assert!(!bare.content.text().unwrap().contains("//"), "{target}");
     }
+}
+
+#[kernel]
+/// The half.
+#[doc = concat!("included", "\nin two lines\n")]
+fn halved(x: f32) -> f32 {
+    0.5 * x
+}
+
+#[test]
+fn an_included_text_is_part_of_the_doc_comment() {
+    let module = lobe_codegen::lower(&lobe_codegen::kernels![halved]).unwrap();
+    let wgsl = text(&module, Target::Wgsl);
+    assert!(wgsl.contains("/// The half.\n/// included\n/// in two lines\nfn halved("), "{wgsl}");
 }
 
 #[test]
