@@ -56,7 +56,7 @@ fn every_kernel_has_a_table_or_an_excuse() {
         let is_excused = WITHOUT_TABLE.iter().any(|(name, _)| *name == kernel);
         assert!(
             is_mapped || is_excused,
-            "{kernel}: no oracle table is mapped to it (tests/cases/oracle-map.json)"
+            "{kernel}: no oracle table is mapped to it (tests/cases/oracle-map/)"
         );
         assert!(!(is_mapped && is_excused), "{kernel} has a table now: remove its excuse");
     }
