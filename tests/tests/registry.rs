@@ -19,6 +19,11 @@ const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("hsg_ratio", "part of hsg_integral"),
     ("hsg_integral_paper", "a variant; equal to hsg_integral in exact arithmetic"),
     ("clamped_cosine", "part of hsg_cosine_product_integral"),
+    ("asg_eval_polar", "equal to asg_eval; a test of the family says so"),
+    ("asg_eval_polar_paper", "a variant; equal to asg_eval_polar above the horizon"),
+    ("asg_width", "part of asg_integral"),
+    ("asg_sg_peak", "part of asg_sg_product_integral"),
+    ("asg_sg_convolved", "part of asg_sg_product_integral"),
     ("clamped_cosine_paper", "part of hsg_cosine_product_integral_paper"),
 ];
 

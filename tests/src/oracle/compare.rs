@@ -1,7 +1,7 @@
 //! Results against the values of a table.
 
 use super::feed::{self, Fed};
-use super::mapping::{Entry, Lane, Rule};
+use super::mapping::{Entry, Lane, Member, Rule};
 use super::table::Row;
 use super::{applies, failed, quantiles};
 use crate::question::{Answer, Extreme, Question, Sample, Verdict, Worst};
@@ -50,33 +50,31 @@ impl<'a> Judged<'a> {
         let leaves = self.subject.program().results().iter().zip(output.columns);
         let columns = leaves.map(|(leaf, words)| words.into_iter().map(|w| as_f64(leaf.scalar, w)).collect());
         let columns = columns.collect::<Vec<_>>();
-        if matches!(route.route(), Route::Native | Route::Interp) {
-            return self.compare(&name, Lane::F32, &columns, None);
-        }
+        let is_driver = !matches!(route.route(), Route::Native | Route::Interp);
         match self.bounds.get_or_init(|| self.derive()) {
-            Ok(bounds) => self.compare(&name, Lane::F32, &columns, Some(bounds)),
+            Ok(bounds) => self.compare(&name, Lane::F32, &columns, Some(&Bounds { bounds, is_driver })),
             Err(why) => failed(self.entry, &name, why.clone()),
         }
     }
 
-    /// What the accuracy rules permit a driver beside the strict result.
+    /// What the accuracy rules and the rounding of the arguments permit.
     fn derive(&self) -> Result<Vec<Vec<f64>>, String> {
-        let shadow = self.subject.program().shadow(&self.fed.args, None).map_err(|e| e.to_string())?;
-        let columns = shadow.columns.into_iter().map(|column| match column {
+        let shadow = self.subject.program().shadow(&self.fed.args, Some(&self.fed.exact));
+        let columns = shadow.map_err(|e| e.to_string())?.columns.into_iter().map(|column| match column {
             ShadowColumn::Float { bound, .. } => bound,
             ShadowColumn::Word { value, .. } => vec![0.0; value.len()],
         });
         Ok(columns.collect())
     }
 
-    fn compare(&self, name: &str, lane: Lane, results: &[Vec<f64>], bounds: Option<&[Vec<f64>]>) -> Answer {
+    fn compare(&self, name: &str, lane: Lane, results: &[Vec<f64>], bounds: Option<&Bounds<'_>>) -> Answer {
         let (mut extreme, mut wrong, mut compared) = (Extreme::default(), 0, 0);
         let mut ratios = Vec::new();
         for (index, row) in self.rows.iter().enumerate() {
             let of_row = |columns: &[Vec<f64>]| columns.iter().map(|column| column[index]).collect();
             let found: Vec<f64> = of_row(results);
-            let bound = bounds.map_or_else(|| vec![0.0; found.len()], of_row);
-            match self.row_samples(row, lane, &found, &bound) {
+            let bound = bounds.map(|b| RowBound { bound: of_row(b.bounds), is_driver: b.is_driver });
+            match self.row_samples(row, lane, &found, bound.as_ref()) {
                 Ok(samples) => {
                     compared += usize::from(!samples.is_empty());
                     let mut within = true;
@@ -114,17 +112,16 @@ impl<'a> Judged<'a> {
         row: &Row,
         lane: Lane,
         found: &[f64],
-        bound: &[f64],
+        bound: Option<&RowBound>,
     ) -> Result<Vec<(usize, Sample)>, String> {
         let mut samples = Vec::new();
         for (part, member) in self.entry.result.iter().filter(|(part, _)| !self.is_skipped(row, part)) {
-            let value =
-                feed::member(&row.value, member).ok_or_else(|| format!("the value has no `{member}`"))?;
+            let path = member.path();
+            let value = feed::member(&row.value, path).ok_or_else(|| format!("the value has no `{path}`"))?;
             if value.is_null() {
                 continue;
             }
-            let wanted = feed::numbers(&row.value, member)?;
-            let df32 = feed::numbers(&row.df32, member).unwrap_or_default();
+            let (wanted, df32) = wanted(row, member)?;
             let leaves = self.subject.program().results().iter().enumerate();
             let leaves: Vec<usize> = leaves.filter(|(_, l)| covers(part, &l.path)).map(|(i, _)| i).collect();
             if leaves.len() != wanted.len() {
@@ -133,9 +130,11 @@ impl<'a> Judged<'a> {
             }
             let sign = if self.entry.free_sign.contains(part) { sign(&leaves, found, &wanted) } else { 1.0 };
             for (at, leaf) in leaves.into_iter().enumerate() {
-                let df32 = df32.get(at).copied().unwrap_or(0.0);
-                let permitted =
-                    self.permitted(row, lane, part, wanted[at], df32)? + bound[leaf] * self.times(row)?.abs();
+                let df32 = df32.get(at).copied();
+                // Where the table does not say what rounding the arguments does, the derived bound does.
+                let derived = bound.filter(|b| b.is_driver || df32.is_none()).map_or(0.0, |b| b.bound[leaf]);
+                let permitted = self.permitted(row, lane, part, wanted[at], df32.unwrap_or(0.0))?
+                    + derived * self.times(row)?.abs();
                 samples.push((leaf, self.sample(row, sign * found[leaf], wanted[at], permitted)?));
             }
         }
@@ -181,8 +180,33 @@ impl<'a> Judged<'a> {
     }
 }
 
+/// Derived bounds of the scalars of the result, column by column, for a route.
+struct Bounds<'a> {
+    bounds: &'a [Vec<f64>],
+    is_driver: bool,
+}
+
+/// Those of one row.
+struct RowBound {
+    bound: Vec<f64>,
+    is_driver: bool,
+}
+
 /// By which sign the found vector comes nearer to the wanted one.
 fn sign(leaves: &[usize], found: &[f64], wanted: &[f64]) -> f64 {
     let along: f64 = leaves.iter().zip(wanted).map(|(leaf, w)| found[*leaf] * w).sum();
     if along < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// The numbers of a member, and what rounding the arguments does to each.
+fn wanted(row: &Row, member: &Member) -> Result<(Vec<f64>, Vec<f64>), String> {
+    let values = feed::numbers(&row.value, member.path())?;
+    let df32 = feed::numbers(&row.df32, member.path()).unwrap_or_default();
+    Ok(match member {
+        Member::Plain(_) => (values, df32),
+        Member::Ln { .. } => {
+            let relative = df32.iter().zip(&values).map(|(d, v)| d / v.abs()).collect();
+            (values.into_iter().map(f64::ln).collect(), relative)
+        }
+    })
 }

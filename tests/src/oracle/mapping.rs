@@ -10,6 +10,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/special.json"),
     include_str!("../../cases/oracle-map/sg.json"),
     include_str!("../../cases/oracle-map/hsg.json"),
+    include_str!("../../cases/oracle-map/asg.json"),
 ];
 
 /// A mapping file.
@@ -39,7 +40,7 @@ pub struct Entry {
     /// What feeds each argument or part of one, by its path.
     pub args: BTreeMap<String, Source>,
     /// Which member of the value judges each part of the result, both by path; empty for the whole.
-    pub result: BTreeMap<String, String>,
+    pub result: BTreeMap<String, Member>,
     /// A column by which the kernel's result is multiplied before it is compared.
     #[serde(default)]
     pub times: Option<String>,
@@ -121,6 +122,29 @@ pub enum Transform {
     PaddedUnit(String),
     /// How many items a list has.
     Count(String),
+}
+
+/// A member of a row's value, by its path; empty for the whole.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Member {
+    /// As it is.
+    Plain(String),
+    /// Its natural logarithm, which is compared with what the kernel returns.
+    Ln {
+        /// The path.
+        ln: String,
+    },
+}
+
+impl Member {
+    /// The path.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Plain(path) | Self::Ln { ln: path } => path,
+        }
+    }
 }
 
 /// What is asked of the rows.

@@ -7,7 +7,8 @@
 //! Which kernel a table speaks of is said by a [`Mapping`].
 //!
 //! Tolerances for matched rows: f64 `1e-11·|value| + 1e-9·2^24·df32`, f32 `8·df32 + 1e-6·|value|`, on a driver
-//! the derived bound besides; what is permitted beyond is written in the mapping, with the reason.
+//! the derived bound besides, and so everywhere for a row without `df32`; what is permitted beyond is written
+//! in the mapping, with the reason.
 
 mod compare;
 mod feed;
@@ -16,7 +17,7 @@ mod quantiles;
 pub mod table;
 
 pub use mapping::{
-    Entry, Lane, Mapping, MappingError, Quantile, Rule, Scale, Skip, Slack, Source, Transform,
+    Entry, Lane, Mapping, MappingError, Member, Quantile, Rule, Scale, Skip, Slack, Source, Transform,
 };
 pub use table::{Row, TableError};
 
