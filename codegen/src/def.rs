@@ -538,6 +538,10 @@ pub enum Domain {
     Range(f64, f64),
     /// Vectors of length one.
     Unit,
+    /// Vectors of length one, perpendicular to that of the named sibling, which is declared before.
+    NormalTo(&'static str),
+    /// The cross product of the two named siblings, which are declared before.
+    Cross(&'static str, &'static str),
     /// Just these.
     Values(&'static [f64]),
 }

@@ -24,7 +24,9 @@
 //!
 //! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
 
+pub mod asg;
 pub mod hsg;
+pub mod rect;
 pub mod references;
 pub mod registry;
 pub mod sg;

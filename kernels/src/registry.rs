@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::{hsg, sg, special};
+use crate::{asg, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -27,4 +27,16 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     hsg::clamped_cosine_paper,
     hsg::hsg_cosine_product_integral,
     hsg::hsg_cosine_product_integral_paper,
+    asg::asg_eval,
+    asg::asg_eval_polar,
+    asg::asg_eval_polar_paper,
+    asg::asg_width,
+    asg::asg_integral,
+    asg::asg_integral_paper,
+    asg::asg_sg_peak,
+    asg::asg_sg_convolved,
+    asg::asg_sg_product_integral,
+    asg::asg_sg_product_integral_paper,
+    asg::asg_to_sg,
+    asg::asg_to_sg_paper,
 ];

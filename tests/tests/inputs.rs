@@ -11,6 +11,18 @@ fn many(a: Vec3, b: Vec3, k: f32, s: f32, n: i32, c: f32, on: bool) -> f32 {
     dot(a, b) * k + s + n as f32 + select(c, 0.0, on)
 }
 
+/// A lobe's frame, and a direction.
+#[kernel(domain(z = unit, x = normal_to(z), y = cross(z, x), dir = unit))]
+fn framed(z: Vec3, x: Vec3, y: Vec3, dir: Vec3) -> f32 {
+    dot(z, dir) + dot(x, dir) + dot(y, dir)
+}
+
+/// In relation to what comes later.
+#[kernel(domain(x = normal_to(z), z = unit))]
+fn too_early(x: Vec3, z: Vec3) -> f32 {
+    dot(x, z)
+}
+
 /// One number.
 #[kernel(domain(x = 0.1..=0.3))]
 fn narrow(x: f32) -> f32 {
@@ -35,7 +47,8 @@ fn negative(n: u32) -> f32 {
     n as f32
 }
 
-const KERNELS: [FunctionRef; 5] = lobe_codegen::kernels![many, narrow, stray, empty, negative];
+const KERNELS: [FunctionRef; 7] =
+    lobe_codegen::kernels![many, framed, too_early, narrow, stray, empty, negative];
 
 fn def(name: &str) -> &'static FunctionDef {
     KERNELS.into_iter().map(|k| k()).find(|d| d.name == name).expect("one of the above")
@@ -87,6 +100,22 @@ fn unit_vectors_have_length_one_and_meet() {
 }
 
 #[test]
+fn frames_are_orthonormal_and_right_handed() {
+    let inputs = Inputs::draw(def("framed"), 4000, 7, &Columns::zeros(12, 0)).expect("a sound domain");
+    let mut along = 0;
+    for row in 0..4000 {
+        let v = |at: usize| {
+            Vec3::from_array(std::array::from_fn(|i| f32::from_bits(inputs.args.columns[at + i][row])))
+        };
+        let (z, x, y, dir) = (v(0), v(3), v(6), v(9));
+        assert!(dot(z, x).abs() < 2e-7 && (x.length_squared() - 1.0).abs() < 5e-7, "row {row}: {z} {x}");
+        assert!((cross(z, x) - y).length() < 5e-7, "row {row}: {z} {x} {y}");
+        along += usize::from((dir - z).length() < 1e-3);
+    }
+    assert!(along > 50, "{along}");
+}
+
+#[test]
 fn ends_zeros_and_subnormals_are_among_the_edges() {
     let inputs = draw("many", 4000, 7);
     let has = |wanted: f32| floats(&inputs, 6).any(|k| k.to_bits() == wanted.to_bits());
@@ -110,6 +139,7 @@ fn families_stand_in_order_and_listed_rows_come_first() {
 #[test]
 fn what_cannot_be_drawn_is_named() {
     for (name, part) in [
+        ("too_early", "the domain of `x` speaks of `z`, which is no unit vector that is declared before"),
         ("stray", "stated for `x.y`, which is none of its arguments"),
         ("empty", "`x` is 1.0..=0.0, which is no range of f32"),
         ("negative", "`n` is -1.0..=5.0, which is no range of u32"),

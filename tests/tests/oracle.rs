@@ -30,8 +30,24 @@ fn cosine(a: Vec3, b: Vec3) -> f32 {
     dot(a, b)
 }
 
+/// The sum of a list's first numbers.
+#[kernel]
+fn sum_of(list: [f32; 4], count: u32) -> f32 {
+    let mut sum = 0.0;
+    for i in 0..count {
+        sum += list[i as usize];
+    }
+    sum
+}
+
+/// The third axis of a frame.
+#[kernel]
+fn third(z: Vec3, x: Vec3) -> Vec3 {
+    cross(z, x)
+}
+
 fn kernel(name: &str) -> Option<FunctionRef> {
-    lobe_codegen::kernels![square, nearly_square, square_the_long_way, cosine]
+    lobe_codegen::kernels![square, nearly_square, square_the_long_way, cosine, sum_of, third]
         .into_iter()
         .find(|k| k().name == name)
 }
@@ -150,6 +166,64 @@ fn rows_are_passed_over_as_stated_and_none_left_is_no_success() {
     assert!(report.answers.iter().all(|(_, a)| a.cases == 2));
     let null = r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": null}"#;
     assert_short(&judged(&mapping("square", r#"{"x": "x"}"#, ""), &[null]), "no row has a value");
+}
+
+#[test]
+fn lists_are_filled_up_and_counted() {
+    let args = r#"{"list": {"padded": "items"}, "count": {"count": "items"}}"#;
+    let line = |items: &str, value: f32| {
+        format!(r#"{{"fn": "f", "args": {{"items": {items}}}, "kind": "formula-f64", "value": {value}}}"#)
+    };
+    let holds = |items, value| {
+        let report = judged(&mapping("sum_of", args, ""), &[&line(items, value)]);
+        report.answers.iter().all(|(_, a)| a.verdict == Verdict::Holds)
+    };
+    assert!(holds("[1, 2]", 3.0) && holds("[1, 2, 3, 4]", 10.0) && holds("[]", 0.0) && !holds("[1, 2]", 4.0));
+    assert_short(
+        &judged(&mapping("sum_of", args, ""), &[&line("[1, 2, 3, 4, 5]", 0.0)]),
+        "does not fit into 4",
+    );
+    assert_short(&judged(&mapping("sum_of", args, ""), &[&line("7", 0.0)]), "`items` is no list");
+}
+
+#[test]
+fn frames_are_made_orthonormal_and_a_free_sign_is_free() {
+    let args = r#"{"z": {"unit": "z"}, "x": {"normal_to": ["x", "z"]}}"#;
+    let line = |y: &str| {
+        let frame = r#""z": [0, 0, 2], "x": [1, 0, 0.5]"#;
+        format!(r#"{{"fn": "f", "args": {{{frame}}}, "kind": "formula-f64", "value": {y}}}"#)
+    };
+    let falls_short = |y: &str, more: &str| {
+        judged(&mapping("third", args, more), &[&line(y)]).answers.iter().any(|(_, a)| a.falls_short())
+    };
+    let free = r#", "free_sign": [""]"#;
+    assert!(!falls_short("[0, 1, 0]", "") && falls_short("[0, -1, 0]", ""));
+    assert!(!falls_short("[0, -1, 0]", free) && falls_short("[1, 0, 0]", free));
+}
+
+#[test]
+fn parts_of_the_result_are_passed_over_as_stated() {
+    let skip = r#", "skip": [{"between": {"x": [2, 3]}, "parts": [""], "why": "a test"}]"#;
+    let report = judged(&mapping("nearly_square", r#"{"x": "x"}"#, skip), &SQUARES);
+    assert!(report.answers.iter().all(|(_, a)| a.cases == 2), "the row of 3 has no other part");
+    let slack = r#", "slack": [{"lane": "both", "factor": 1e-3, "of": ["x", "x"], "why": "a test"}]"#;
+    let report = judged(&mapping("nearly_square", r#"{"x": "x"}"#, slack), &SQUARES);
+    assert!(report.answers.iter().all(|(_, a)| !a.falls_short()));
+}
+
+#[test]
+fn ratios_lie_in_the_stated_quantiles() {
+    let text = |low: f64, high: f64| {
+        format!(
+            r#"{{"version": 1, "entries": [{{"fn": "f", "kind": "formula-f64", "kernel": "nearly_square",
+            "args": {{"x": "x"}}, "result": {{"": ""}}, "rule": "distribution",
+            "quantiles": [{{"share": 0.5, "low": {low}, "high": {high}}}]}}]}}"#
+        )
+    };
+    let parsed = |low, high| Mapping::parse(&text(low, high)).unwrap_or_else(|e| panic!("{e}"));
+    let report = judged(&parsed(1.00005, 1.00015), &SQUARES);
+    assert!(report.answers.iter().all(|(_, a)| !a.falls_short() && a.subject.contains("50 % 1.0001")));
+    assert_short(&judged(&parsed(0.9, 1.0), &SQUARES), "are up to 1.0001");
 }
 
 #[test]

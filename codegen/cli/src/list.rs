@@ -104,6 +104,8 @@ fn text(domain: &Domain) -> String {
     match domain {
         Domain::Range(lo, hi) => format!("{lo:?}..={hi:?}"),
         Domain::Unit => "unit".to_owned(),
+        Domain::NormalTo(other) => format!("normal_to({other})"),
+        Domain::Cross(a, b) => format!("cross({a}, {b})"),
         Domain::Values(values) => format!("{values:?}"),
     }
 }

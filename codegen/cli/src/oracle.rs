@@ -15,7 +15,7 @@ use std::path::PathBuf;
 pub(crate) struct Args {
     /// Folder of tables, files named `FUNCTION.jsonl`
     folder: PathBuf,
-    /// Another mapping of tables to kernels than the standard one (tests/cases/oracle-map.json)
+    /// Another mapping of tables to kernels than the standard one (tests/cases/oracle-map/)
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
     #[command(flatten)]

@@ -45,7 +45,7 @@ pub(crate) struct BudgetRow {
     pub(crate) value: Expr,
 }
 
-/// `lo..=hi`, `unit`, or `[a, b, c]`.
+/// `lo..=hi`, `unit`, `[a, b, c]`, `normal_to(z)` or `cross(z, x)`.
 pub(crate) struct DomainArgument(Expr);
 
 impl Parse for DomainArgument {
@@ -157,6 +157,10 @@ fn listed<T: Parse>(input: ParseStream<'_>) -> syn::Result<Vec<T>> {
 pub(crate) fn domain(argument: &DomainArgument, errors: &mut Errors) -> TokenStream {
     match plain(&argument.0) {
         Expr::Path(p) if p.path.is_ident("unit") => quote!(::lobe_codegen::def::Domain::Unit),
+        Expr::Call(call) => match relation(call) {
+            Some(tokens) => tokens,
+            None => wrong(call, errors),
+        },
         Expr::Range(syn::ExprRange {
             start: Some(lo),
             end: Some(hi),
@@ -167,10 +171,30 @@ pub(crate) fn domain(argument: &DomainArgument, errors: &mut Errors) -> TokenStr
             let values = list.elems.iter();
             quote!(::lobe_codegen::def::Domain::Values(&[#((#values) as f64),*]))
         }
-        other => {
-            errors.at(other, "a domain is `lo..=hi`, `unit` (vectors of length one) or `[a, b, c]`");
-            quote!(::lobe_codegen::def::Domain::Unit)
-        }
+        other => wrong(other, errors),
+    }
+}
+
+fn wrong(tokens: &impl quote::ToTokens, errors: &mut Errors) -> TokenStream {
+    errors.at(
+        tokens,
+        "a domain is `lo..=hi`, `[a, b, c]`, `unit` (vectors of length one), or in relation to siblings that are \
+         declared before: `normal_to(z)` (unit and perpendicular to z) or `cross(z, x)`",
+    );
+    quote!(::lobe_codegen::def::Domain::Unit)
+}
+
+/// `normal_to(z)` or `cross(z, x)`.
+fn relation(call: &syn::ExprCall) -> Option<TokenStream> {
+    let ident = |expr: &Expr| match plain(expr) {
+        Expr::Path(p) => p.path.get_ident().map(Ident::to_string),
+        _ => None,
+    };
+    let siblings: Vec<String> = call.args.iter().map(ident).collect::<Option<_>>()?;
+    match (ident(&call.func)?.as_str(), siblings.as_slice()) {
+        ("normal_to", [z]) => Some(quote!(::lobe_codegen::def::Domain::NormalTo(#z))),
+        ("cross", [z, x]) => Some(quote!(::lobe_codegen::def::Domain::Cross(#z, #x))),
+        _ => None,
     }
 }
 

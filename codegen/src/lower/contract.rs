@@ -2,7 +2,7 @@
 
 use super::error::{Fail, Lowered};
 use super::expr::member;
-use crate::def::{Domain, DomainDef, FunctionDef, Span, TypeDef};
+use crate::def::{Domain, DomainDef, FunctionDef, Scalar, Span, TypeDef};
 
 /// Checks the paths of domains and budgets, and that domains are not empty.
 pub(super) fn check(def: &FunctionDef) -> Lowered<()> {
@@ -27,10 +27,16 @@ fn domain(def: &FunctionDef, row: &DomainDef) -> Lowered<()> {
             Err(Fail::new(row.span, format!("the domain {low:?}..={high:?} is empty")))
         }
         Domain::Values([]) => Err(Fail::new(row.span, "the domain lists no value")),
-        Domain::Unit if !matches!(ty, TypeDef::Vector(_, crate::def::Scalar::F32)) => {
+        Domain::Unit if !matches!(ty, TypeDef::Vector(_, Scalar::F32)) => {
             Err(Fail::new(row.span, format!("`unit` speaks of vectors, `{}` is {ty}", row.path)))
         }
-        Domain::Range(..) | Domain::Values(_) | Domain::Unit => Ok(()),
+        Domain::NormalTo(_) | Domain::Cross(..) if ty != TypeDef::Vector(3, Scalar::F32) => Err(Fail::new(
+            row.span,
+            format!("`normal_to` and `cross` speak of vectors of three, `{}` is {ty}", row.path),
+        )),
+        Domain::Range(..) | Domain::Values(_) | Domain::Unit | Domain::NormalTo(_) | Domain::Cross(..) => {
+            Ok(())
+        }
     }
 }
 

@@ -8,7 +8,7 @@ mod slot;
 pub(crate) mod unit;
 
 pub use rng::Rng;
-pub use slot::{DomainError, Slot, Values, slots};
+pub use slot::{DomainError, Relation, Slot, Values, slots};
 
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::FunctionDef;
@@ -104,11 +104,14 @@ impl Sampler<'_> {
     /// Edge values of each slot.
     fn n_edges(&self) -> Vec<usize> {
         let peers = |before: usize, n: usize| {
-            self.slots[..before].iter().filter(|s| matches!(s, Slot::Unit { n: m, .. } if *m == n)).count()
+            let is_one =
+                |s: &&Slot| matches!(s, Slot::Unit { n: m, relation, .. } if *m == n && is_peer(*relation));
+            self.slots[..before].iter().filter(is_one).count()
         };
         let count = |(index, slot): (usize, &Slot)| match slot {
             Slot::Number { scalar, values, .. } => number::edges(*scalar, values).len(),
-            Slot::Unit { n, .. } => unit::n_edges(*n, peers(index, *n)),
+            Slot::Unit { n, relation: Relation::Free, .. } => unit::n_edges(*n, peers(index, *n)),
+            Slot::Unit { relation: Relation::NormalTo(_) | Relation::Cross(..), .. } => 1,
         };
         self.slots.iter().enumerate().map(count).collect()
     }
@@ -142,18 +145,33 @@ impl Sampler<'_> {
             .collect()
     }
 
-    fn edge_or_random(&mut self, slot: usize, pick: Option<usize>, earlier: &[Vec<f32>]) -> Vec<u32> {
+    fn edge_or_random(&mut self, slot: usize, pick: Option<usize>, earlier: &[Drawn]) -> Vec<u32> {
         let Some(index) = pick else { return self.random(slot, earlier) };
         match &self.slots[slot] {
             Slot::Number { scalar, values, .. } => vec![number::edges(*scalar, values)[index]],
-            Slot::Unit { n, .. } => bits(unit::edge(*n, index, earlier, &mut self.rng)),
+            Slot::Unit { n, relation: Relation::Free, .. } => {
+                bits(unit::edge(*n, index, &peers(earlier), &mut self.rng))
+            }
+            Slot::Unit { relation, .. } => bits(self.related(*relation, earlier)),
         }
     }
 
-    fn random(&mut self, slot: usize, earlier: &[Vec<f32>]) -> Vec<u32> {
+    fn random(&mut self, slot: usize, earlier: &[Drawn]) -> Vec<u32> {
         match &self.slots[slot] {
             Slot::Number { scalar, values, .. } => vec![number::random(*scalar, values, &mut self.rng)],
-            Slot::Unit { n, .. } => bits(unit::random(*n, earlier, &mut self.rng)),
+            Slot::Unit { n, relation: Relation::Free, .. } => {
+                bits(unit::random(*n, &peers(earlier), &mut self.rng))
+            }
+            Slot::Unit { relation, .. } => bits(self.related(*relation, earlier)),
+        }
+    }
+
+    fn related(&mut self, relation: Relation, earlier: &[Drawn]) -> Vec<f32> {
+        let at = |column: usize| earlier.iter().find(|d| d.column == column).map_or(&[][..], |d| &d.vector);
+        match relation {
+            Relation::Free => unit::random(3, &peers(earlier), &mut self.rng),
+            Relation::NormalTo(z) => unit::normal_to(at(z), &mut self.rng),
+            Relation::Cross(z, x) => unit::cross(at(z), at(x)),
         }
     }
 
@@ -179,18 +197,39 @@ impl Sampler<'_> {
         })
     }
 
-    fn row(&mut self, mut draw: impl FnMut(&mut Self, usize, &[Vec<f32>]) -> Vec<u32>) -> Vec<u32> {
+    fn row(&mut self, mut draw: impl FnMut(&mut Self, usize, &[Drawn]) -> Vec<u32>) -> Vec<u32> {
         let mut words = Vec::new();
         let mut earlier = Vec::new();
         for slot in 0..self.slots.len() {
             let drawn = draw(self, slot, &earlier);
-            if matches!(self.slots[slot], Slot::Unit { .. }) {
-                earlier.push(drawn.iter().map(|w| f32::from_bits(*w)).collect());
+            if let Slot::Unit { column, relation, .. } = self.slots[slot] {
+                let vector = drawn.iter().map(|w| f32::from_bits(*w)).collect();
+                earlier.push(Drawn { column, is_peer: is_peer(relation), vector });
             }
             words.extend(drawn);
         }
         words
     }
+}
+
+/// Whether later vectors are put into relation to it; the third axis of a frame tells nothing new.
+fn is_peer(relation: Relation) -> bool {
+    match relation {
+        Relation::Free | Relation::NormalTo(_) => true,
+        Relation::Cross(..) => false,
+    }
+}
+
+/// A unit vector of the row that is being drawn.
+struct Drawn {
+    column: usize,
+    is_peer: bool,
+    vector: Vec<f32>,
+}
+
+/// The vectors that a later one is put into relation to.
+fn peers(earlier: &[Drawn]) -> Vec<&[f32]> {
+    earlier.iter().filter(|d| d.is_peer).map(|d| &*d.vector).collect()
 }
 
 fn bits(vector: Vec<f32>) -> Vec<u32> {

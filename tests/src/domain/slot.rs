@@ -20,7 +20,20 @@ pub enum Slot {
         column: usize,
         /// How many components.
         n: usize,
+        /// What ties it to vectors that were drawn before.
+        relation: Relation,
     },
+}
+
+/// How a unit vector stands to others, which are named by the columns of their first components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Not at all.
+    Free,
+    /// Perpendicular to one.
+    NormalTo(usize),
+    /// The cross product of two.
+    Cross(usize, usize),
 }
 
 /// The values of a scalar.
@@ -74,8 +87,13 @@ pub enum DomainError {
 /// # Errors
 /// When a scalar has no domain, or a domain does not fit.
 pub fn slots(kernel: &'static FunctionDef) -> Result<Vec<Slot>, DomainError> {
-    let mut walk =
-        Walk { kernel, used: vec![false; kernel.contract.domain.len()], column: 0, slots: Vec::new() };
+    let mut walk = Walk {
+        kernel,
+        used: vec![false; kernel.contract.domain.len()],
+        column: 0,
+        slots: Vec::new(),
+        units: Vec::new(),
+    };
     for param in kernel.params {
         walk.visit(param.name, &param.ty, None)?;
     }
@@ -92,6 +110,8 @@ struct Walk {
     used: Vec<bool>,
     column: usize,
     slots: Vec<Slot>,
+    /// The unit vectors of three components so far, and their columns.
+    units: Vec<(String, usize)>,
 }
 
 impl Walk {
@@ -100,8 +120,14 @@ impl Walk {
         match *ty {
             TypeDef::Scalar(scalar) => self.number(path, scalar, domain),
             TypeDef::Vector(n, Scalar::F32) if domain == Some(Domain::Unit) => {
-                self.slots.push(Slot::Unit { column: self.column, n: n.into() });
-                self.column += usize::from(n);
+                self.unit(path, n, Relation::Free);
+                Ok(())
+            }
+            TypeDef::Vector(3, Scalar::F32)
+                if matches!(domain, Some(Domain::NormalTo(_) | Domain::Cross(..))) =>
+            {
+                let relation = self.relation(path, domain)?;
+                self.unit(path, 3, relation);
                 Ok(())
             }
             TypeDef::Vector(n, scalar) => {
@@ -125,6 +151,33 @@ impl Walk {
             TypeDef::Slice(_) | TypeDef::Atomic(_) => {
                 Err(self.bad(path, format!("cannot be drawn: {ty} does not travel by value")))
             }
+        }
+    }
+
+    fn unit(&mut self, path: &str, n: u8, relation: Relation) {
+        if n == 3 {
+            self.units.push((path.to_owned(), self.column));
+        }
+        self.slots.push(Slot::Unit { column: self.column, n: n.into(), relation });
+        self.column += usize::from(n);
+    }
+
+    fn relation(&self, path: &str, domain: Option<Domain>) -> Result<Relation, DomainError> {
+        let prefix = path.rfind('.').map_or("", |dot| &path[..=dot]);
+        let column = |sibling: &str| {
+            let wanted = format!("{prefix}{sibling}");
+            let found = self.units.iter().find(|(name, _)| *name == wanted);
+            found.map(|(_, column)| *column).ok_or_else(|| {
+                self.bad(
+                    path,
+                    format!("speaks of `{wanted}`, which is no unit vector that is declared before"),
+                )
+            })
+        };
+        match domain {
+            Some(Domain::NormalTo(z)) => Ok(Relation::NormalTo(column(z)?)),
+            Some(Domain::Cross(z, x)) => Ok(Relation::Cross(column(z)?, column(x)?)),
+            _ => Ok(Relation::Free),
         }
     }
 
@@ -152,6 +205,10 @@ impl Walk {
             }
             Some(Domain::Unit) => {
                 let reason = "is `unit`, which only Vec2, Vec3 and Vec4 can be".to_owned();
+                return Err(self.bad(path, reason));
+            }
+            Some(Domain::NormalTo(_) | Domain::Cross(..)) => {
+                let reason = "is in relation to a vector, which only Vec3 can be".to_owned();
                 return Err(self.bad(path, reason));
             }
             None if scalar == Scalar::Bool => Values::Listed(vec![0.0, 1.0]),

@@ -18,7 +18,7 @@ fn relations() -> usize {
 }
 
 /// Edge vector `index`: an axis, a diagonal, or one in a special relation to an earlier vector.
-pub(super) fn edge(n: usize, index: usize, earlier: &[Vec<f32>], rng: &mut Rng) -> Vec<f32> {
+pub(super) fn edge(n: usize, index: usize, earlier: &[&[f32]], rng: &mut Rng) -> Vec<f32> {
     let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
     if index < 2 * n {
         return (0..n).map(|i| if i == index / 2 { sign as f32 } else { 0.0 }).collect();
@@ -27,7 +27,7 @@ pub(super) fn edge(n: usize, index: usize, earlier: &[Vec<f32>], rng: &mut Rng) 
         return rounded(&vec![sign; n]);
     }
     let index = index - 2 * n - 2;
-    let peers: Vec<&Vec<f32>> = earlier.iter().filter(|v| v.len() == n).collect();
+    let peers: Vec<&[f32]> = earlier.iter().copied().filter(|v| v.len() == n).collect();
     let other = peers[index / relations()];
     match index % relations() {
         0 => other.to_vec(),
@@ -43,8 +43,8 @@ pub(super) fn edge(n: usize, index: usize, earlier: &[Vec<f32>], rng: &mut Rng) 
 
 /// A random vector: half of the time uniform, else at a log-uniform angle to an earlier one or its
 /// opposite.
-pub(super) fn random(n: usize, earlier: &[Vec<f32>], rng: &mut Rng) -> Vec<f32> {
-    let peers: Vec<&Vec<f32>> = earlier.iter().filter(|v| v.len() == n).collect();
+pub(super) fn random(n: usize, earlier: &[&[f32]], rng: &mut Rng) -> Vec<f32> {
+    let peers: Vec<&[f32]> = earlier.iter().copied().filter(|v| v.len() == n).collect();
     if peers.is_empty() || rng.one_in(2) {
         return uniform(n, rng);
     }
@@ -52,6 +52,17 @@ pub(super) fn random(n: usize, earlier: &[Vec<f32>], rng: &mut Rng) -> Vec<f32> 
     let angle = std::f64::consts::PI * 10f64.powf(-8.0 * rng.unit());
     let flip = if rng.one_in(2) { std::f64::consts::PI } else { 0.0 };
     at_angle(other, flip - angle, rng)
+}
+
+/// A random vector perpendicular to `z`.
+pub(super) fn normal_to(z: &[f32], rng: &mut Rng) -> Vec<f32> {
+    at_angle(z, std::f64::consts::FRAC_PI_2, rng)
+}
+
+/// `z x x`, of unit vectors that are perpendicular.
+pub(super) fn cross(z: &[f32], x: &[f32]) -> Vec<f32> {
+    let product = |i: usize, j: usize| f64::from(z[i]) * f64::from(x[j]) - f64::from(z[j]) * f64::from(x[i]);
+    rounded(&[product(1, 2), product(2, 0), product(0, 1)])
 }
 
 fn uniform(n: usize, rng: &mut Rng) -> Vec<f32> {
@@ -93,7 +104,7 @@ mod tests {
         let mut rng = Rng::new(7, "test");
         let other = uniform(3, &mut rng);
         let opposite: Vec<f32> = other.iter().map(|c| -c).collect();
-        let earlier = vec![vec![1.0, 0.0], other.clone()];
+        let earlier: [&[f32]; 2] = [&[1.0, 0.0], &other];
         let dot =
             |v: &[f32]| -> f64 { v.iter().zip(&other).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum() };
         let mut edges = (0..n_edges(3, 1)).map(|i| edge(3, i, &earlier, &mut rng)).skip(8);

@@ -28,8 +28,8 @@ pub(super) fn feed(program: &Program, entry: &Entry, rows: &[&Row]) -> Result<Fe
     let mut exact = vec![Vec::with_capacity(rows.len()); params.len()];
     for row in rows {
         for (path, source) in &entry.args {
-            let values = resolve(source, row).map_err(|e| format!("line {}: {e}", row.line))?;
             let leaves: Vec<usize> = (0..params.len()).filter(|i| covers(path, &params[*i].path)).collect();
+            let values = resolve(source, row, leaves.len()).map_err(|e| format!("line {}: {e}", row.line))?;
             if values.len() != leaves.len() {
                 let (given, wanted) = (values.len(), leaves.len());
                 return Err(format!("line {}: `{path}` has {wanted} scalars, {given} are given", row.line));
@@ -61,14 +61,76 @@ fn check_paths(params: &[Leaf], entry: &Entry) -> Result<(), Unfit> {
     }
 }
 
-fn resolve(source: &Source, row: &Row) -> Result<Vec<f64>, Unfit> {
+/// The numbers that `source` gives for `n` scalars.
+fn resolve(source: &Source, row: &Row, n: usize) -> Result<Vec<f64>, Unfit> {
     match source {
         Source::Constant(value) => Ok(vec![*value]),
         Source::Column(path) => numbers(&row.args, path),
-        Source::Transformed(Transform::Unit(path)) => Ok(normalised(&numbers(&row.args, path)?)),
-        Source::Transformed(Transform::Ln(path)) => {
-            Ok(numbers(&row.args, path)?.into_iter().map(f64::ln).collect())
+        Source::Transformed(transform) => transformed(transform, row, n),
+    }
+}
+
+fn transformed(transform: &Transform, row: &Row, n: usize) -> Result<Vec<f64>, Unfit> {
+    let column = |path: &str| numbers(&row.args, path);
+    let each = |path: &str, f: fn(f64) -> f64| Ok(column(path)?.into_iter().map(f).collect());
+    match transform {
+        Transform::Unit(path) => Ok(normalised(&column(path)?)),
+        Transform::Ln(path) => each(path, f64::ln),
+        Transform::Cos(path) => each(path, f64::cos),
+        Transform::Sin(path) => each(path, f64::sin),
+        Transform::Tan(path) => each(path, f64::tan),
+        Transform::Sqrt(path) => each(path, f64::sqrt),
+        Transform::Negated(path) => each(path, |x| -x),
+        Transform::NegatedUnit(path) => Ok(normalised(&column(path)?).into_iter().map(|x| -x).collect()),
+        Transform::NormalTo(x, z) => Ok(perpendicular(&column(x)?, &normalised(&column(z)?))),
+        Transform::Binormal(x, z) => {
+            let z = normalised(&column(z)?);
+            cross(&z, &perpendicular(&column(x)?, &z))
         }
+        Transform::Padded(path) => padded(flat(member_of(row, path)?)?, n),
+        Transform::PaddedUnit(path) => {
+            let items = member_of(row, path)?.as_array().ok_or_else(|| format!("`{path}` is no list"))?;
+            let units =
+                items.iter().map(|item| Ok(normalised(&flat(item)?))).collect::<Result<Vec<_>, Unfit>>()?;
+            padded(units.concat(), n)
+        }
+        Transform::Count(path) => {
+            let items = member_of(row, path)?.as_array().ok_or_else(|| format!("`{path}` is no list"))?;
+            Ok(vec![items.len() as f64])
+        }
+    }
+}
+
+fn padded(mut numbers: Vec<f64>, n: usize) -> Result<Vec<f64>, Unfit> {
+    if numbers.len() > n {
+        return Err(format!("a list of {} numbers does not fit into {n}", numbers.len()));
+    }
+    numbers.resize(n, 0.0);
+    Ok(numbers)
+}
+
+/// `x` without its part along the unit vector `z`, normalised.
+fn perpendicular(x: &[f64], z: &[f64]) -> Vec<f64> {
+    let along: f64 = x.iter().zip(z).map(|(a, b)| a * b).sum();
+    normalised(&x.iter().zip(z).map(|(a, b)| a - along * b).collect::<Vec<_>>())
+}
+
+fn cross(a: &[f64], b: &[f64]) -> Result<Vec<f64>, Unfit> {
+    match (a, b) {
+        ([ax, ay, az], [bx, by, bz]) => Ok(vec![ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]),
+        _ => Err("a cross product needs vectors of three".to_owned()),
+    }
+}
+
+fn member_of<'a>(row: &'a Row, path: &str) -> Result<&'a Value, Unfit> {
+    member(&row.args, path).ok_or_else(|| format!("it has no `{path}`"))
+}
+
+/// All numbers in `value`, in order.
+fn flat(value: &Value) -> Result<Vec<f64>, Unfit> {
+    match value {
+        Value::Array(items) => Ok(items.iter().map(flat).collect::<Result<Vec<_>, _>>()?.concat()),
+        other => other.as_f64().map(|v| vec![v]).ok_or_else(|| format!("{other} is no number")),
     }
 }
 
@@ -87,18 +149,42 @@ pub(super) fn member<'a>(value: &'a Value, path: &str) -> Option<&'a Value> {
     path.split('.').filter(|name| !name.is_empty()).try_fold(value, |at, name| at.get(name))
 }
 
-/// The quantity `scale` of a row.
-pub(super) fn scale(scale: Scale, row: &Row, value: f64) -> f64 {
-    let column = |name: &str| numbers(&row.args, name).ok().and_then(|v| v.first().copied());
+/// The quantity `scale` of a row, of which `value` is compared.
+pub(super) fn scale(scale: &Scale, row: &Row, value: f64) -> Result<f64, Unfit> {
     match scale {
-        Scale::One => 1.0,
-        Scale::Value => value.abs(),
-        Scale::HemisphereIntegral => {
-            let sharpness = column("sharpness").unwrap_or(f64::NAN);
-            let mean = if sharpness == 0.0 { 1.0 } else { -(-sharpness).exp_m1() / sharpness };
-            std::f64::consts::TAU * mean * column("log_amplitude").unwrap_or(0.0).exp()
+        Scale::Quantity(name) => quantity(name, row, value),
+        Scale::Product(names) => {
+            names.iter().try_fold(1.0, |all, name| Ok(all * quantity(name, row, value)?))
         }
     }
+}
+
+/// A quantity by its name; see [`Scale`].
+pub(super) fn quantity(name: &str, row: &Row, value: f64) -> Result<f64, Unfit> {
+    match (name, name.strip_prefix("value.")) {
+        ("one", _) => Ok(1.0),
+        ("value", _) => Ok(value.abs()),
+        ("hemisphere_integral", _) => hemisphere_integral(row),
+        (_, Some(path)) => magnitude(&row.value, path),
+        (path, None) => magnitude(&row.args, path),
+    }
+}
+
+fn magnitude(value: &Value, path: &str) -> Result<f64, Unfit> {
+    let at = member(value, path).ok_or_else(|| format!("it has no quantity `{path}`"))?;
+    match at.as_array() {
+        Some(items) if items.iter().any(Value::is_array) || items.len() > 4 => {
+            Ok(flat(at)?.into_iter().map(f64::abs).sum())
+        }
+        _ => Ok(flat(at)?.into_iter().map(|x| x * x).sum::<f64>().sqrt()),
+    }
+}
+
+fn hemisphere_integral(row: &Row) -> Result<f64, Unfit> {
+    let sharpness = magnitude(&row.args, "sharpness")?;
+    let mean = if sharpness == 0.0 { 1.0 } else { -(-sharpness).exp_m1() / sharpness };
+    let log_amplitude = numbers(&row.args, "log_amplitude").ok().and_then(|v| v.first().copied());
+    Ok(std::f64::consts::TAU * mean * log_amplitude.unwrap_or(0.0).exp())
 }
 
 fn word(scalar: Scalar, value: f64) -> u32 {

@@ -1,9 +1,17 @@
 //! Which table speaks of which kernel, and how its columns become arguments.
 //!
-//! The standard mapping is `tests/cases/oracle-map.json`, compiled in.
+//! The standard mapping is `tests/cases/oracle-map/`, a file a family, compiled in.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
+
+/// The files of the standard mapping.
+const STANDARD: &[&str] = &[
+    include_str!("../../cases/oracle-map/special.json"),
+    include_str!("../../cases/oracle-map/sg.json"),
+    include_str!("../../cases/oracle-map/hsg.json"),
+    include_str!("../../cases/oracle-map/asg.json"),
+];
 
 /// A mapping file.
 #[derive(Clone, Debug, Deserialize)]
@@ -32,12 +40,18 @@ pub struct Entry {
     /// What feeds each argument or part of one, by its path.
     pub args: BTreeMap<String, Source>,
     /// Which member of the value judges each part of the result, both by path; empty for the whole.
-    pub result: BTreeMap<String, String>,
+    pub result: BTreeMap<String, Member>,
     /// A column by which the kernel's result is multiplied before it is compared.
     #[serde(default)]
     pub times: Option<String>,
     /// Whether the value is to be matched, or an approximation error measured.
     pub rule: Rule,
+    /// Parts of the result, by path, whose sign is free: the nearer of the two is compared.
+    #[serde(default)]
+    pub free_sign: Vec<String>,
+    /// For the rule `distribution`: in which ranges quantiles of the ratio of result to value must lie.
+    #[serde(default)]
+    pub quantiles: Vec<Quantile>,
     /// Errors permitted beside those of the rule.
     #[serde(default)]
     pub slack: Vec<Slack>,
@@ -56,6 +70,12 @@ pub struct Skip {
     /// Columns and the values that they have.
     #[serde(default)]
     pub args: BTreeMap<String, f64>,
+    /// Quantities (see [`Scale`]) and the range that they lie in.
+    #[serde(default)]
+    pub between: BTreeMap<String, (f64, f64)>,
+    /// The parts of the result that are passed over, by path; none stated: the whole row.
+    #[serde(default)]
+    pub parts: Vec<String>,
     /// Why.
     pub why: String,
 }
@@ -80,6 +100,51 @@ pub enum Transform {
     Unit(String),
     /// The natural logarithm.
     Ln(String),
+    /// The cosine.
+    Cos(String),
+    /// The sine.
+    Sin(String),
+    /// The tangent.
+    Tan(String),
+    /// The square root.
+    Sqrt(String),
+    /// The opposite.
+    Negated(String),
+    /// Minus the vector, normalised.
+    NegatedUnit(String),
+    /// The first vector, made perpendicular to the second and normalised.
+    NormalTo(String, String),
+    /// The cross product of the second vector and of the first made perpendicular to it, normalised.
+    Binormal(String, String),
+    /// A list, flat, and filled up with zeros.
+    Padded(String),
+    /// A list of vectors, each normalised, flat, and filled up with zeros.
+    PaddedUnit(String),
+    /// How many items a list has.
+    Count(String),
+}
+
+/// A member of a row's value, by its path; empty for the whole.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Member {
+    /// As it is.
+    Plain(String),
+    /// Its natural logarithm, which is compared with what the kernel returns.
+    Ln {
+        /// The path.
+        ln: String,
+    },
+}
+
+impl Member {
+    /// The path.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Plain(path) | Self::Ln { ln: path } => path,
+        }
+    }
 }
 
 /// What is asked of the rows.
@@ -90,6 +155,20 @@ pub enum Rule {
     Match,
     /// The value is that of an exact integral, which the kernel approximates within the slack.
     Approximate,
+    /// Likewise, with ratios of result to value whose quantiles are stated.
+    Distribution,
+}
+
+/// A share of the rows, and where the ratio lies that so many do not exceed.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Quantile {
+    /// In 0 ..= 1.
+    pub share: f64,
+    /// The least permitted ratio.
+    pub low: f64,
+    /// The greatest.
+    pub high: f64,
 }
 
 /// A permitted error: `factor · of`.
@@ -102,6 +181,9 @@ pub struct Slack {
     pub factor: f64,
     /// What it multiplies.
     pub of: Scale,
+    /// The parts of the result that it is for, by path; none stated: all.
+    #[serde(default)]
+    pub parts: Vec<String>,
     /// Why.
     pub why: String,
 }
@@ -118,17 +200,19 @@ pub enum Lane {
     Both,
 }
 
-/// A quantity of a row that an error can be proportional to.
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
+/// What an error is proportional to: a quantity of the row, or the product of several.
+///
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); an argument's
+/// column (of a vector its length, of a list the sum of magnitudes); and `hemisphere_integral`,
+/// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
+/// All are taken without sign.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
 pub enum Scale {
-    /// 1: an absolute error.
-    One,
-    /// The value: a relative error.
-    Value,
-    /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness`, the integral over the lobe's own
-    /// hemisphere, out of the columns of these names.
-    HemisphereIntegral,
+    /// One.
+    Quantity(String),
+    /// Several.
+    Product(Vec<String>),
 }
 
 /// A mapping that cannot be used.
@@ -140,9 +224,10 @@ impl Mapping {
     /// The mapping of Lobe's own kernels.
     ///
     /// # Errors
-    /// When the file that was compiled in is malformed, which a test rules out.
+    /// When a file that was compiled in is malformed, which a test rules out.
     pub fn standard() -> Result<Self, MappingError> {
-        Self::parse(include_str!("../../cases/oracle-map.json"))
+        let files = STANDARD.iter().map(|text| Self::parse(text)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { version: 1, entries: files.into_iter().flat_map(|file| file.entries).collect() })
     }
 
     /// Reads a mapping.
