@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::{asg, hsg, sg, special};
+use crate::{asg, brdf, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -39,4 +39,41 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     asg::asg_sg_product_integral_paper,
     asg::asg_to_sg,
     asg::asg_to_sg_paper,
+    brdf::ndf::ggx_ndf,
+    brdf::ndf::ggx_ndf_cosine,
+    brdf::ndf::ggx_ndf_paper,
+    brdf::ndf::ggx_ndf_between,
+    brdf::ndf::beckmann_exponent,
+    brdf::ndf::beckmann_ndf,
+    brdf::fresnel::fresnel_schlick,
+    brdf::fresnel::fresnel_schlick_between,
+    brdf::visibility::smith_root,
+    brdf::visibility::smith_g1,
+    brdf::visibility::smith_g2,
+    brdf::visibility::smith_visibility,
+    brdf::sampling::orthonormal_frame,
+    brdf::sampling::frame_to_world,
+    brdf::sampling::frame_to_local,
+    brdf::sampling::sine_of_turn,
+    brdf::sampling::circle_of_turn,
+    brdf::sampling::cosine_sample_hemisphere,
+    brdf::sampling::cosine_hemisphere_pdf,
+    brdf::sampling::ggx_sample_half_vector,
+    brdf::sampling::ggx_half_vector_pdf,
+    brdf::sampling::ggx_sample_visible_normal,
+    brdf::sampling::ggx_visible_normal_pdf,
+    brdf::sampling::mirror,
+    brdf::lobe::sg_ndf,
+    brdf::lobe::asg_ndf,
+    brdf::lobe::warp_cosine,
+    brdf::lobe::sg_ndf_warp,
+    brdf::lobe::incidence_tangent,
+    brdf::lobe::asg_ndf_warp,
+    brdf::model::lambert_brdf,
+    brdf::model::microfacet_m,
+    brdf::model::microfacet_reflectance,
+    brdf::model::microfacet_brdf,
+    brdf::model::surface_transfer,
+    brdf::model::surface_brdf_cosine,
+    brdf::model::surface_brdf,
 ];

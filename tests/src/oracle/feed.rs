@@ -166,7 +166,10 @@ pub(super) fn quantity(name: &str, row: &Row, value: f64) -> Result<f64, Unfit> 
         ("value", _) => Ok(value.abs()),
         ("hemisphere_integral", _) => hemisphere_integral(row),
         (_, Some(path)) => magnitude(&row.value, path),
-        (path, None) => magnitude(&row.args, path),
+        (path, None) => match path.strip_prefix("df32.") {
+            Some(path) => magnitude(&row.df32, path),
+            None => magnitude(&row.args, path),
+        },
     }
 }
 
