@@ -1,6 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
+use crate::rect::{angle, attenuation, disk, energy, light, peak};
 use crate::{asg, brdf, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -76,4 +77,38 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     brdf::model::surface_transfer,
     brdf::model::surface_brdf_cosine,
     brdf::model::surface_brdf,
+    angle::arctangent,
+    angle::angle_over_sine,
+    angle::circle_segment,
+    angle::log1p_over_x,
+    attenuation::rect_psi,
+    attenuation::rect_psi_paper,
+    attenuation::rect_falloff,
+    attenuation::rect_falloff_paper,
+    attenuation::rect_attenuation,
+    attenuation::rect_falloff_fit,
+    energy::rect_radiance,
+    energy::rect_radiance_paper,
+    energy::rect_aperture,
+    energy::rect_aperture_paper,
+    energy::rect_energy,
+    energy::rect_energy_paper,
+    energy::rect_energy_ggx,
+    disk::rect_disk_radius,
+    disk::disk_corner,
+    disk::disk_block,
+    disk::rect_disk_area,
+    disk::rect_disk_bounds,
+    disk::rect_coverage,
+    disk::rect_coverage_paper,
+    disk::rect_coverage_bounds,
+    peak::rect_specular_peak,
+    light::rect_disk_asg,
+    light::rect_bandwidth_paper,
+    light::rect_bandwidth,
+    light::rect_bandwidth_slope,
+    light::rect_disk_frame,
+    light::rect_lobe,
+    light::rect_asg_from_disk,
+    light::rect_asg_from_disk_paper,
 ];
