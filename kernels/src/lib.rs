@@ -22,6 +22,7 @@
 //! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
 
 pub mod asg;
+pub mod filter;
 pub mod hsg;
 pub mod rect;
 pub mod references;

@@ -11,6 +11,9 @@ macro_rules! references {
 }
 
 references! {
+    /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
+    /// Recommendations, The American Statistician 37 (3), 1983.
+    Chan83;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -18,6 +21,8 @@ references! {
     Iwasaki12;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
+    /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
+    Toksvig05;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
     /// supplementary document.
     Tokuyoshi22;

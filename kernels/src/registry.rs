@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::{asg, hsg, sg, special};
+use crate::{asg, filter, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -39,4 +39,18 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     asg::asg_sg_product_integral_paper,
     asg::asg_to_sg,
     asg::asg_to_sg_paper,
+    filter::toksvig_spread,
+    filter::toksvig_sharpness,
+    filter::toksvig_length_paper,
+    filter::toksvig_sharpness_paper,
+    filter::moments_empty,
+    filter::moments_of_position,
+    filter::moments_of_lobe,
+    filter::moments_merge,
+    filter::moments_distance4,
+    filter::moments_merge4,
+    filter::moments_to_lobe,
+    filter::moments_to_lobe_paper,
+    filter::moments_variance_paper,
+    filter::planar_variance,
 ];
