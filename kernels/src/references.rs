@@ -28,6 +28,9 @@ references! {
     /// E. Heitz, Sampling the GGX Distribution of Visible Normals, Journal of Computer Graphics Techniques 7 (4),
     /// 2018.
     Heitz18;
+    /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
+    /// Recommendations, The American Statistician 37 (3), 1983.
+    Chan83;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -44,6 +47,8 @@ references! {
     RectGlossy;
     /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
     Schlick94;
+    /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
+    Toksvig05;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
     /// supplementary document.
     Tokuyoshi22;

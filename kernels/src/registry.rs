@@ -2,7 +2,7 @@
 //! test says so.
 
 use crate::rect::{angle, attenuation, disk, energy, light, peak};
-use crate::{asg, brdf, hsg, sg, special};
+use crate::{asg, brdf, filter, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -111,4 +111,18 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     light::rect_lobe,
     light::rect_asg_from_disk,
     light::rect_asg_from_disk_paper,
+    filter::toksvig_spread,
+    filter::toksvig_sharpness,
+    filter::toksvig_length_paper,
+    filter::toksvig_sharpness_paper,
+    filter::moments_empty,
+    filter::moments_of_position,
+    filter::moments_of_lobe,
+    filter::moments_merge,
+    filter::moments_distance4,
+    filter::moments_merge4,
+    filter::moments_to_lobe,
+    filter::moments_to_lobe_paper,
+    filter::moments_variance_paper,
+    filter::planar_variance,
 ];

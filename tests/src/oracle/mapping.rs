@@ -12,6 +12,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/hsg.json"),
     include_str!("../../cases/oracle-map/asg.json"),
     include_str!("../../cases/oracle-map/brdf.json"),
+    include_str!("../../cases/oracle-map/filter.json"),
 ];
 
 /// A mapping file.
