@@ -1,6 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
+use crate::rect::laplace;
 use crate::{hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -27,4 +28,5 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     hsg::clamped_cosine_paper,
     hsg::hsg_cosine_product_integral,
     hsg::hsg_cosine_product_integral_paper,
+    laplace::rect_laplace,
 ];

@@ -1,5 +1,7 @@
 //! Interreflection from a glossy rectangle.
 
+pub mod laplace;
+
 use lobe_codegen::prelude::*;
 
 /// A rectangle that reflects on the side that its normal points to.

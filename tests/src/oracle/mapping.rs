@@ -10,6 +10,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/special.json"),
     include_str!("../../cases/oracle-map/sg.json"),
     include_str!("../../cases/oracle-map/hsg.json"),
+    include_str!("../../cases/oracle-map/rect_laplace.json"),
 ];
 
 /// A mapping file.
