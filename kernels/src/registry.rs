@@ -29,4 +29,7 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     hsg::hsg_cosine_product_integral,
     hsg::hsg_cosine_product_integral_paper,
     laplace::rect_laplace,
+    laplace::rect_laplace_sg,
+    laplace::rect_laplace_fast,
+    laplace::rect_laplace_fast_sg,
 ];

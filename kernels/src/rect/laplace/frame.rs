@@ -3,6 +3,10 @@
 use crate::rect::Rectangle;
 use lobe_codegen::prelude::*;
 
+/// 2/π².
+#[kernel]
+pub const TWO_OVER_PI_SQUARE: f32 = 0.20264236728467554289;
+
 /// A glossy rectangle under one directional light.
 #[kernel]
 pub struct Reflector {
@@ -40,86 +44,111 @@ pub struct Receiver {
     pub reflectance: f32,
 }
 
-/// Constants of a GGX distribution.
+/// Constants of a distribution of roughness `alpha`.
 #[kernel]
 pub struct Gloss {
-    /// `alpha²`, clamped.
+    /// `alpha²`, with `alpha` clamped to 0.002 ..= 0.98.
     pub square: f32,
-    /// `4 (1 - alpha²)`.
-    pub weight: f32,
+    /// `1 - alpha²`.
+    pub rest: f32,
 }
 
-/// The reflector in the frame of its rectangle; once for each rectangle and light.
+/// A reflector in the frame of its rectangle: computed once for each rectangle and light.
 #[kernel]
 pub struct LaplaceReflector {
-    /// Unit direction to the light in the frame.
+    /// Unit direction to the light, in the frame.
     pub light: Vec3,
     /// Its distribution.
     pub gloss: Gloss,
-    /// Strength with which the mirror direction of the light attracts the start.
+    /// Weight of the light's mirror direction where the search begins.
     pub pull: f32,
+    /// `alpha²/π²` times the light's cosine.
+    pub peak: f32,
 }
 
-/// The pixel in the frame of a rectangle; once for each pixel and rectangle.
+/// A receiver in the frame of a rectangle: computed once for each pixel and rectangle, for any number of
+/// lights.
 #[kernel]
 pub struct LaplaceReceiver {
-    /// The pixel from the middle of the rectangle.
+    /// The pixel, from the rectangle's middle.
     pub offset: Vec3,
+    /// Square of its height above the rectangle's plane.
+    pub height2: f32,
     /// Unit normal.
     pub facing: Vec3,
     /// Unit direction to the viewer.
     pub view: Vec3,
-    /// Cosine between them.
+    /// The viewer's direction, mirrored about the normal.
+    pub mirror: Vec3,
+    /// Cosine of the view.
     pub cosine: f32,
     /// Its distribution.
     pub gloss: Gloss,
-    /// Half extents, signed towards the corner that is highest above the pixel's horizon.
-    pub corner: Vec2,
-    /// Half extents.
+    /// Half the rectangle's extents.
     pub extent: Vec2,
+    /// The corner of the rectangle that is highest above the pixel's horizon.
+    pub corner: Vec2,
+    /// Height of that corner above the horizon plane.
+    pub top: f32,
 }
 
-/// Constants of the GGX distribution of roughness `alpha`, which is clamped to 0.002 ..= 0.98.
+/// Constants of a distribution.
 #[kernel]
 pub fn rect_laplace_gloss(alpha: f32) -> Gloss {
-    let m = clamp(alpha, 2e-3, 0.98);
-    let square = m * m;
-    Gloss { square, weight: 4.0 - 4.0 * square }
+    let clamped = clamp(alpha, 2e-3, 0.98);
+    let square = clamped * clamped;
+    Gloss { square, rest: 1.0 - square }
 }
 
-/// A direction in the frame of a rectangle.
+/// The second direction along a rectangle's sides: computed once for each rectangle.
 #[kernel]
-pub fn rect_laplace_turn(rectangle: Rectangle, bitangent: Vec3, dir: Vec3) -> Vec3 {
-    Vec3::new(dot(rectangle.tangent, dir), dot(bitangent, dir), dot(rectangle.normal, dir))
+pub fn rect_laplace_bitangent(rectangle: Rectangle) -> Vec3 {
+    cross(rectangle.normal, rectangle.tangent)
 }
 
-/// What depends on the reflector and its light alone.
+/// Components of a vector in the frame of a rectangle.
 #[kernel]
-pub fn rect_laplace_reflector(
-    rectangle: Rectangle,
-    bitangent: Vec3,
-    alpha: f32,
-    light_dir: Vec3,
-) -> LaplaceReflector {
-    let light = rect_laplace_turn(rectangle, bitangent, light_dir);
-    let gloss = rect_laplace_gloss(alpha);
-    LaplaceReflector { light, gloss, pull: 0.5 * gloss.square * light.z }
+pub fn rect_laplace_turn(rectangle: Rectangle, bitangent: Vec3, v: Vec3) -> Vec3 {
+    Vec3::new(dot(rectangle.tangent, v), dot(bitangent, v), dot(rectangle.normal, v))
 }
 
-/// What depends on the pixel and the rectangle alone.
+/// What depends on a reflector and its light alone.
+#[kernel]
+pub fn rect_laplace_reflector(rectangle: Rectangle, bitangent: Vec3, reflector: Reflector) -> LaplaceReflector {
+    let light = rect_laplace_turn(rectangle, bitangent, reflector.light_dir);
+    let gloss = rect_laplace_gloss(reflector.alpha);
+    let pull = 0.5 * gloss.square * light.z;
+    LaplaceReflector { light, gloss, pull, peak: TWO_OVER_PI_SQUARE * pull }
+}
+
+/// What depends on a receiver and a rectangle alone.
 #[kernel]
 pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Receiver) -> LaplaceReceiver {
+    let offset = rect_laplace_turn(rectangle, bitangent, receiver.position - rectangle.position);
     let facing = rect_laplace_turn(rectangle, bitangent, receiver.normal);
+    let view = rect_laplace_turn(rectangle, bitangent, receiver.view_dir);
+    let cosine = dot(receiver.normal, receiver.view_dir);
+    let corner = Vec2::new(
+        select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
+        select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
+    );
     LaplaceReceiver {
-        offset: rect_laplace_turn(rectangle, bitangent, receiver.position - rectangle.position),
+        offset,
+        height2: offset.z * offset.z,
         facing,
-        view: rect_laplace_turn(rectangle, bitangent, receiver.view_dir),
-        cosine: dot(receiver.normal, receiver.view_dir),
+        view,
+        mirror: (2.0 * cosine) * facing - view,
+        cosine,
         gloss: rect_laplace_gloss(receiver.alpha),
-        corner: Vec2::new(
-            select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
-            select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
-        ),
         extent: Vec2::new(rectangle.half_x, rectangle.half_y),
+        corner,
+        top: facing.x * (corner.x - offset.x) + facing.y * (corner.y - offset.y) - facing.z * offset.z,
     }
+}
+
+/// Whether nothing can arrive: light, pixel or viewer behind a surface, or the rectangle behind the pixel.
+#[kernel]
+pub fn rect_laplace_is_dark(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> bool {
+    let least = 1e-6 * max(receiver.extent.x, receiver.extent.y);
+    reflector.light.z <= 1e-3 || receiver.cosine <= 1e-3 || receiver.offset.z <= least || receiver.top <= 0.0
 }

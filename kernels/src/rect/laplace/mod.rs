@@ -2,81 +2,223 @@
 
 mod evaluate;
 mod frame;
+mod search;
 mod width;
 
 pub use evaluate::*;
 pub use frame::*;
+pub use search::*;
 pub use width::*;
 
+use crate::hsg::TWO_PI;
 use crate::rect::Rectangle;
 use lobe_codegen::prelude::*;
 
-/// Integral and representative direction.
+/// The geometric part of the interreflection, and where it comes from.
 #[kernel]
 pub struct LaplaceIntegral {
-    /// Integral.
+    /// `cos ∫ D_r D_x cos cos dA/distance²`, without irradiance and reflectances.
     pub value: f32,
-    /// Representative direction, in the rectangle's frame.
+    /// Unit direction from the pixel to the spot that stands for the rectangle, in the rectangle's frame.
     pub dir: Vec3,
 }
 
-/// Whether nothing can arrive.
+/// A spot that is evaluated in full.
 #[kernel]
-pub fn rect_laplace_is_dark(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> bool {
-    let highest = receiver.facing.x * (receiver.corner.x - receiver.offset.x)
-        + receiver.facing.y * (receiver.corner.y - receiver.offset.y)
-        - receiver.facing.z * receiver.offset.z;
-    reflector.light.z <= 1e-3
-        || receiver.cosine <= 1e-3
-        || receiver.offset.z <= 1e-6 * max(receiver.extent.x, receiver.extent.y)
-        || highest <= 0.0
+pub struct LaplacePoint {
+    /// The spot.
+    pub spot: LaplaceSpot,
+    /// Minus the logarithm of the integrand around it.
+    pub local: LaplaceForm,
+    /// Product of both distributions, without the constant factors of the reflector's.
+    pub density: f32,
+    /// Root of the determinant of the reflector's distribution alone.
+    pub own: f32,
 }
 
-/// GGX receiver.
+/// What arrives where nothing can.
+#[kernel]
+pub fn rect_laplace_nothing() -> LaplaceIntegral {
+    LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) }
+}
+
+/// Result out of its factors.
+#[kernel]
+pub fn rect_laplace_result(reflector: LaplaceReflector, peak: LaplacePoint, secant: Vec2, area: f32) -> LaplaceIntegral {
+    let spot = peak.spot;
+    // No approximate area makes a projected solid angle above 2π.
+    let seen = min(max(spot.cosine, 0.0) * spot.down * (secant.x * secant.y * area), TWO_PI);
+    LaplaceIntegral {
+        value: reflector.peak * peak.density * seen,
+        dir: Vec3::new(spot.along.x, spot.along.y, -spot.down),
+    }
+}
+
+/// Form around a spot, for the search.
+#[kernel]
+pub fn rect_laplace_local(reflector: LaplaceReflector, receiver: LaplaceReceiver, spot: LaplaceSpot) -> LaplaceForm {
+    let ours = rect_laplace_reflector_slope(reflector.light, spot);
+    let theirs = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall(theirs.square, receiver.gloss);
+    rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight)
+}
+
+/// Form around a spot, for the search; spherical Gaussian.
+#[kernel]
+pub fn rect_laplace_local_sg(reflector: LaplaceReflector, receiver: LaplaceReceiver, spot: LaplaceSpot) -> LaplaceForm {
+    let ours = rect_laplace_reflector_slope(reflector.light, spot);
+    let theirs = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall_sg(theirs.square, receiver.gloss);
+    rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight)
+}
+
+/// Everything at a spot.
+#[kernel]
+pub fn rect_laplace_point(reflector: LaplaceReflector, receiver: LaplaceReceiver, at: Vec2) -> LaplacePoint {
+    let spot = rect_laplace_spot(receiver, at);
+    let ours = rect_laplace_reflector_slope(reflector.light, spot);
+    let theirs = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall(theirs.square, receiver.gloss);
+    let falls = (1.0 + reflector_fall.value) * (1.0 + receiver_fall.value);
+    LaplacePoint {
+        spot,
+        local: rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight),
+        density: receiver.gloss.square * (falls * falls),
+        own: (2.0 * spot.down) * ours.scale * reflector_fall.value,
+    }
+}
+
+/// Everything at a spot; spherical Gaussian.
+#[kernel]
+pub fn rect_laplace_point_sg(reflector: LaplaceReflector, receiver: LaplaceReceiver, at: Vec2) -> LaplacePoint {
+    let spot = rect_laplace_spot(receiver, at);
+    let ours = rect_laplace_reflector_slope(reflector.light, spot);
+    let theirs = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall_sg(theirs.square, receiver.gloss);
+    let reflector_root = 1.0 + reflector_fall.value;
+    LaplacePoint {
+        spot,
+        local: rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight),
+        density: reflector_root * reflector_root * receiver_fall.value / receiver.gloss.square,
+        own: (2.0 * spot.down) * ours.scale * reflector_fall.value,
+    }
+}
+
+/// Sharpening.
+#[kernel]
+pub fn rect_laplace_sharpening(share: f32) -> f32 {
+    0.03 + share * (1.24 - 1.29 * share)
+}
+
+/// Sharpening; spherical Gaussian.
+#[kernel]
+pub fn rect_laplace_sharpening_sg(share: f32) -> f32 {
+    0.88 - share * (0.28 + 0.61 * share)
+}
+
+/// Inner evaluation.
 #[kernel]
 pub fn rect_laplace_integral(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
     if rect_laplace_is_dark(reflector, receiver) {
-        return LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) };
+        return rect_laplace_nothing();
     }
     let start = rect_laplace_lift(receiver, rect_laplace_start(reflector, receiver), 0.1);
     let first = rect_laplace_spot(receiver, start);
-    let first_a = rect_laplace_reflector_slope(reflector.light, first);
-    let first_b = rect_laplace_receiver_slope(receiver, first);
-    let first_form = rect_laplace_form(
-        receiver,
-        first,
-        first_a,
-        rect_laplace_fall_ggx(first_a.square, reflector.gloss),
-        first_b,
-        rect_laplace_fall_ggx(first_b.square, receiver.gloss),
-    );
-    let at = rect_laplace_lift(receiver, rect_laplace_step(receiver, first, first_form), 0.03);
-    let spot = rect_laplace_spot(receiver, at);
-    let slope_a = rect_laplace_reflector_slope(reflector.light, spot);
-    let slope_b = rect_laplace_receiver_slope(receiver, spot);
-    let fall_a = rect_laplace_fall_ggx(slope_a.square, reflector.gloss);
-    let fall_b = rect_laplace_fall_ggx(slope_b.square, receiver.gloss);
-    let local = rect_laplace_form(receiver, spot, slope_a, fall_a, slope_b, fall_b);
-    let own = 0.5 * reflector.gloss.weight * slope_a.scale * spot.down / (reflector.gloss.square + slope_a.square);
-    let extent = rect_laplace_extent(receiver, spot);
-    let angles = rect_laplace_angles(spot, local, extent, own);
-    let h = angles.share;
-    let area = rect_laplace_area_mean(angles, extent, 0.03 + h * (1.24 - 1.29 * h));
-    let falls = fall_a.value * fall_b.value;
-    let peaks = (reflector.gloss.square * receiver.gloss.square) * (0.10132118364233778 * reflector.light.z);
-    let value = peaks * (falls * falls) * (max(spot.cosine, 0.0) * spot.down * extent.secant.x * extent.secant.y) * area;
-    LaplaceIntegral { value, dir: Vec3::new(spot.along.x, spot.along.y, -spot.down) }
+    let step = rect_laplace_step(receiver, first, rect_laplace_local(reflector, receiver, first));
+    let peak = rect_laplace_point(reflector, receiver, rect_laplace_lift(receiver, step, 0.03));
+    let extent = rect_laplace_extent(receiver, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let area = rect_laplace_area(angles, extent, rect_laplace_sharpening(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, area)
+}
+
+/// Inner evaluation; spherical Gaussian.
+#[kernel]
+pub fn rect_laplace_integral_sg(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
+    }
+    let start = rect_laplace_lift(receiver, rect_laplace_start(reflector, receiver), 0.1);
+    let first = rect_laplace_spot(receiver, start);
+    let step = rect_laplace_step(receiver, first, rect_laplace_local_sg(reflector, receiver, first));
+    let peak = rect_laplace_point_sg(reflector, receiver, rect_laplace_lift(receiver, step, 0.03));
+    let extent = rect_laplace_extent(receiver, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let area = rect_laplace_area(angles, extent, rect_laplace_sharpening_sg(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, area)
+}
+
+/// Inner evaluation; fast.
+#[kernel]
+pub fn rect_laplace_fast_integral(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
+    }
+    let start = rect_laplace_lift(receiver, rect_laplace_start(reflector, receiver), 0.1);
+    let peak = rect_laplace_point(reflector, receiver, start);
+    let extent = rect_laplace_extent(receiver, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let area = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, area)
+}
+
+/// Inner evaluation; fast; spherical Gaussian.
+#[kernel]
+pub fn rect_laplace_fast_integral_sg(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
+    }
+    let start = rect_laplace_lift(receiver, rect_laplace_start(reflector, receiver), 0.1);
+    let peak = rect_laplace_point_sg(reflector, receiver, start);
+    let extent = rect_laplace_extent(receiver, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let area = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening_sg(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, area)
+}
+
+/// Radiance.
+#[kernel]
+pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
+    reflector.irradiance * reflector.reflectance * receiver.reflectance
 }
 
 /// Interreflection.
-#[kernel(
-    family = "rect",
-    cite = "own derivation",
-    budget(1e-3 * result + 1e-5)
-)]
+#[kernel(family = "rect", cite = "own derivation", budget(1e-3 * result + 1e-5))]
 pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
-    let bitangent = cross(rectangle.normal, rectangle.tangent);
-    let a = rect_laplace_reflector(rectangle, bitangent, reflector.alpha, reflector.light_dir);
-    let b = rect_laplace_receiver(rectangle, bitangent, receiver);
-    reflector.irradiance * reflector.reflectance * receiver.reflectance * rect_laplace_integral(a, b).value
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver) * rect_laplace_integral(ours, theirs).value
 }
+
+/// Interreflection.
+#[kernel(family = "rect", cite = "own derivation", budget(1e-3 * result + 1e-5))]
+pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver) * rect_laplace_integral_sg(ours, theirs).value
+}
+
+/// Interreflection.
+#[kernel(family = "rect", cite = "own derivation", budget(1e-3 * result + 1e-5))]
+pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver) * rect_laplace_fast_integral(ours, theirs).value
+}
+
+/// Interreflection.
+#[kernel(family = "rect", cite = "own derivation", budget(1e-3 * result + 1e-5))]
+pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver) * rect_laplace_fast_integral_sg(ours, theirs).value
+}
+

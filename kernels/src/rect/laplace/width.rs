@@ -4,130 +4,120 @@ use crate::rect::laplace::evaluate::{LaplaceForm, LaplaceSpot};
 use crate::rect::laplace::frame::LaplaceReceiver;
 use lobe_codegen::prelude::*;
 
-/// Extents from a spot to the edges, in half-angle coordinates.
+/// Extents of the rectangle around a spot, in half-angle coordinates.
 #[kernel]
 pub struct LaplaceExtent {
-    /// To the edges of negative x and y.
-    pub low: Vec2,
-    /// To the edges of positive x and y.
-    pub high: Vec2,
-    /// `1/cos` of the angles along x and y.
+    /// To the edges of low and of high x.
+    pub x: Vec2,
+    /// To the edges of low and of high y.
+    pub y: Vec2,
+    /// `1/cos` of the angles along x and y at which the spot is seen.
     pub secant: Vec2,
 }
 
-/// Half-angle coordinate of an edge: `2 tan(angle/2)`.
+/// Half-angle coordinates of two opposite edges, `2 tan(angle/2)` of the angle from the spot to the edge.
 #[kernel]
-pub fn rect_laplace_edge(across: f32, reach: f32, begin: f32, way: f32, step_to: f32) -> f32 {
-    let to = begin + step_to;
-    let product = (across + reach) * (across + sqrt(across * across + to * to));
-    let denominator = max(product + begin * to, across * across);
-    4.0 * across * way * (product / denominator) / denominator
+pub fn rect_laplace_edges(across2: f32, across: f32, reach: f32, begin: f32, low: f32, high: f32) -> Vec2 {
+    let to = begin + Vec2::new(-low, high);
+    let span = across + reach;
+    let product = span * (across + sqrt(across2 + to * to));
+    let denominator = max(product + begin * to, Vec2::splat(across2));
+    Vec2::new(low, high) * (4.0 * across) * (product / denominator) / denominator
 }
 
-/// All four edges.
+/// Both axes.
 #[kernel]
 pub fn rect_laplace_extent(receiver: LaplaceReceiver, spot: LaplaceSpot) -> LaplaceExtent {
-    let offset = spot.at - receiver.offset.xy();
-    let square = receiver.offset.z * receiver.offset.z;
-    let mx = sqrt(square + offset.y * offset.y);
-    let my = sqrt(square + offset.x * offset.x);
-    let high = receiver.extent - spot.at;
-    let low = receiver.extent + spot.at;
+    let across2 = receiver.height2 + spot.offset.yx() * spot.offset.yx();
+    let across = sqrt(across2);
+    let low = max(receiver.extent + spot.at, Vec2::ZERO);
+    let high = max(receiver.extent - spot.at, Vec2::ZERO);
     LaplaceExtent {
-        low: Vec2::new(
-            rect_laplace_edge(mx, spot.reach, offset.x, low.x, -low.x),
-            rect_laplace_edge(my, spot.reach, offset.y, low.y, -low.y),
-        ),
-        high: Vec2::new(
-            rect_laplace_edge(mx, spot.reach, offset.x, high.x, high.x),
-            rect_laplace_edge(my, spot.reach, offset.y, high.y, high.y),
-        ),
-        secant: Vec2::new(spot.reach / mx, spot.reach / my),
+        x: rect_laplace_edges(across2.x, across.x, spot.reach, spot.offset.x, low.x, high.x),
+        y: rect_laplace_edges(across2.y, across.y, spot.reach, spot.offset.y, low.y, high.y),
+        secant: spot.reach / across,
     }
 }
 
-/// `∫₀^l (1 + S (2 b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `1 + sharpening`.
+/// The integrand's logarithm in half-angle coordinates.
+#[kernel]
+pub struct LaplaceAngles {
+    /// Gradient.
+    pub gradient: Vec2,
+    /// Second derivatives xx and yy.
+    pub second: Vec2,
+    /// Square of the second derivative xy.
+    pub mixed2: f32,
+    /// How far the reflector's distribution makes the peak, 0 ..= 1.
+    pub share: f32,
+}
+
+/// The integrand's logarithm in half-angle coordinates. `own` is the root of the determinant that the
+/// reflector's distribution alone would have.
+#[kernel]
+pub fn rect_laplace_angles(spot: LaplaceSpot, local: LaplaceForm, secant: Vec2, own: f32) -> LaplaceAngles {
+    let second = local.second.xy() + 1.0;
+    let mixed2 = local.second.z * local.second.z;
+    let product = second.x * second.y;
+    let determinant = max(product - mixed2, 1e-6 * product);
+    let secant2 = secant * secant;
+    LaplaceAngles {
+        gradient: (local.gradient + spot.along) * secant,
+        second: second * secant2 + 0.5,
+        mixed2: mixed2 * (secant2.x * secant2.y),
+        share: min(own * inverse_sqrt(determinant), 1.0),
+    }
+}
+
+/// `∫₀^l (1 + S (2 b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `1 + sharpening` as the lobe falls.
 #[kernel]
 pub fn rect_laplace_half_width(a: f32, b: f32, l: f32, sharpening: f32) -> f32 {
     let q = l * (2.0 * b + a * l);
     let k = max(q, 0.0);
     let s = 1.0 + sharpening * (k / (1.0 + k));
     let r = sqrt(1.0 + s * max(q, -0.25));
-    l * (1.0 + r) / (r * (1.0 + r + s * b * l))
+    let t = 1.0 + r;
+    l * t / (r * max(t + s * b * l, 1.0))
 }
 
-/// Both halves.
+/// Both halves, `extent` to the low and to the high edge.
 #[kernel]
-pub fn rect_laplace_width(g: f32, curvature: f32, low: f32, high: f32, sharpening: f32) -> f32 {
-    let a = curvature * (1.0 / 3.0);
-    let least = -0.5 * sqrt(a);
+pub fn rect_laplace_width(g: f32, second: f32, extent: Vec2, sharpening: f32) -> f32 {
+    let a = second * (1.0 / 3.0);
     let b = g * (1.0 / 3.0);
-    rect_laplace_half_width(a, max(b, least), high, sharpening)
-        + rect_laplace_half_width(a, max(-b, least), low, sharpening)
+    let least = -0.5 * sqrt(a);
+    rect_laplace_half_width(a, max(-b, least), extent.x, sharpening)
+        + rect_laplace_half_width(a, max(b, least), extent.y, sharpening)
 }
 
-/// The form in half-angle coordinates.
+/// Effective area: the geometric mean of both orders of integration.
 #[kernel]
-pub struct LaplaceAngles {
-    /// Gradient.
-    pub gradient: Vec2,
-    /// Curvature along x.
-    pub a: f32,
-    /// Curvature along y.
-    pub c: f32,
-    /// Square of the mixed one.
-    pub b2: f32,
-    /// Share of the reflector.
-    pub share: f32,
-}
-
-/// The form in half-angle coordinates.
-#[kernel]
-pub fn rect_laplace_angles(spot: LaplaceSpot, local: LaplaceForm, extent: LaplaceExtent, own: f32) -> LaplaceAngles {
-    let a = local.form.x + 1.0;
-    let c = local.form.y + 1.0;
-    let b = local.form.z;
-    let g = local.gradient + spot.along;
-    let determinant = max(a * c - b * b, 1e-6 * a * c);
-    let secant2 = extent.secant * extent.secant;
-    LaplaceAngles {
-        gradient: g * extent.secant,
-        a: a * secant2.x + 0.5,
-        c: c * secant2.y + 0.5,
-        b2: b * b * secant2.x * secant2.y,
-        share: min(own * inverse_sqrt(determinant), 1.0),
-    }
-}
-
-/// Curvature along an axis, the other integrated out over its truncated extent.
-#[kernel]
-pub fn rect_laplace_reduced(a: f32, b2: f32, c: f32, g: f32, length2: f32) -> f32 {
-    max(a - b2 * length2 / (length2 * (c + g * g) + 4.0), 1e-4 * a)
-}
-
-/// Effective area: the mean of both orders.
-#[kernel]
-pub fn rect_laplace_area_mean(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
-    let both = extent.low + extent.high;
-    let g = angles.gradient;
-    let x = rect_laplace_reduced(angles.a, angles.b2, angles.c, g.y, both.y * both.y);
-    let y = rect_laplace_reduced(angles.c, angles.b2, angles.a, g.x, both.x * both.x);
-    let wx = rect_laplace_width(g.x, x, extent.low.x, extent.high.x, sharpening)
-        * rect_laplace_width(g.x, angles.a, extent.low.x, extent.high.x, sharpening);
-    let wy = rect_laplace_width(g.y, y, extent.low.y, extent.high.y, sharpening)
-        * rect_laplace_width(g.y, angles.c, extent.low.y, extent.high.y, sharpening);
-    sqrt(wx * wy)
-}
-
-/// Effective area: the order whose reduced axis shows more of the lobe.
-#[kernel]
-pub fn rect_laplace_area_adapt(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
-    let both = extent.low + extent.high;
+pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
+    let both = Vec2::new(extent.x.x + extent.x.y, extent.y.x + extent.y.y);
     let g = angles.gradient;
     let length2 = both * both;
-    let order = length2.x * (angles.a + g.x * g.x) > length2.y * (angles.c + g.y * g.y);
-    let x = rect_laplace_reduced(angles.a, angles.b2, angles.c, g.y, length2.y);
-    let y = rect_laplace_reduced(angles.c, angles.b2, angles.a, g.x, length2.x);
-    rect_laplace_width(g.x, select(angles.a, x, order), extent.low.x, extent.high.x, sharpening)
-        * rect_laplace_width(g.y, select(y, angles.c, order), extent.low.y, extent.high.y, sharpening)
+    let shown = length2 * (angles.second + g * g) + 4.0;
+    let reduced =
+        max(angles.second - angles.mixed2 * length2.yx() / shown.yx(), 1e-4 * angles.second);
+    sqrt(
+        (rect_laplace_width(g.x, reduced.x, extent.x, sharpening)
+            * rect_laplace_width(g.y, angles.second.y, extent.y, sharpening))
+            * (rect_laplace_width(g.y, reduced.y, extent.y, sharpening)
+                * rect_laplace_width(g.x, angles.second.x, extent.x, sharpening)),
+    )
+}
+
+/// Effective area: that order alone whose reduced axis shows more of the lobe.
+#[kernel]
+pub fn rect_laplace_area_fast(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
+    let both = Vec2::new(extent.x.x + extent.x.y, extent.y.x + extent.y.y);
+    let g = angles.gradient;
+    let length2 = both * both;
+    let shown = length2 * (angles.second + g * g);
+    let is_x = shown.x > shown.y;
+    let axis = select(angles.second.y, angles.second.x, is_x);
+    let other2 = select(length2.x, length2.y, is_x);
+    let reduced = max(axis - angles.mixed2 * other2 / (min(shown.x, shown.y) + 4.0), 1e-4 * axis);
+    rect_laplace_width(g.x, select(angles.second.x, reduced, is_x), extent.x, sharpening)
+        * rect_laplace_width(g.y, select(reduced, angles.second.y, is_x), extent.y, sharpening)
 }
