@@ -3,6 +3,7 @@
 //! [`judge::judge`] asks one kernel all questions; [`oracle`] judges by tables of independent values.
 
 pub mod cases;
+pub mod cost;
 pub mod domain;
 pub mod judge;
 pub mod operations;

@@ -179,8 +179,9 @@ pub enum Lane {
 
 /// What an error is proportional to: a quantity of the row, or the product of several.
 ///
-/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); an argument's
-/// column (of a vector its length, of a list the sum of magnitudes); and `hemisphere_integral`,
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another);
+/// `df32.PATH` (what rounding the arguments does to it); an argument's column (of a vector its length, of a list
+/// the sum of magnitudes); and `hemisphere_integral`,
 /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
 /// All are taken without sign.
 #[derive(Clone, Debug, Deserialize)]
