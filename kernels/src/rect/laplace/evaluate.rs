@@ -88,19 +88,15 @@ pub fn rect_laplace_reflector_slope(light: Vec3, spot: LaplaceSpot) -> LaplaceSl
 pub fn rect_laplace_receiver_slope(receiver: LaplaceReceiver, spot: LaplaceSpot) -> LaplaceSlope {
     // The floor is below what the view and the lifted spot leave.
     let scale = 1.0 / max(spot.cosine + receiver.cosine, 1e-3);
-    let up = scale * (receiver.view + Vec3::new(spot.along.x, spot.along.y, -spot.down));
-    let slope = up - receiver.facing;
-    let rise = receiver.facing.xy() + receiver.cosine * spot.along;
-    let by_x = Vec3::new(
-        1.0 + spot.along.x * receiver.view.x - rise.x * up.x,
-        spot.along.x * receiver.view.y - rise.x * up.y,
-        spot.along.x * receiver.view.z - rise.x * up.z,
-    );
-    let by_y = Vec3::new(
-        spot.along.y * receiver.view.x - rise.y * up.x,
-        1.0 + spot.along.y * receiver.view.y - rise.y * up.y,
-        spot.along.y * receiver.view.z - rise.y * up.z,
-    );
+    let facing = receiver.facing.xy();
+    let across = Vec2::new(
+        receiver.tangents.x * spot.along.x + receiver.tangents.z * spot.along.y,
+        receiver.tangents.z * spot.along.x + receiver.tangents.y * spot.along.y,
+    ) - spot.down * facing;
+    let slope = scale * (across + receiver.view);
+    let rise = facing + receiver.cosine * spot.along;
+    let by_x = receiver.tangents.xz() + spot.along.x * receiver.view - rise.x * slope;
+    let by_y = receiver.tangents.zy() + spot.along.y * receiver.view - rise.y * slope;
     LaplaceSlope {
         square: dot(slope, slope),
         gradient: Vec2::new(dot(by_x, slope), dot(by_y, slope)),

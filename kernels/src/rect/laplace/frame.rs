@@ -76,12 +76,18 @@ pub struct LaplaceReceiver {
     pub height2: f32,
     /// Unit normal.
     pub facing: Vec3,
-    /// Unit direction to the viewer.
-    pub view: Vec3,
     /// The viewer's direction, mirrored about the normal.
     pub mirror: Vec3,
     /// Cosine of the view.
     pub cosine: f32,
+    /// The viewer's direction along the pixel's surface, by its two tangents.
+    pub view: Vec2,
+    /// Tangents of the pixel's surface, `(xx, xy, facing.x)` and `(xy, yy, facing.y)`: their xx, yy, xy.
+    pub tangents: Vec3,
+    /// `1/(1 - facing.z)`.
+    pub fold: f32,
+    /// Weight of `mirror` where the search begins is the reflector's; that of the light's direction is this.
+    pub pull: f32,
     /// Its distribution.
     pub gloss: Gloss,
     /// Half the rectangle's extents.
@@ -128,6 +134,13 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
     let facing = rect_laplace_turn(rectangle, bitangent, receiver.normal);
     let view = rect_laplace_turn(rectangle, bitangent, receiver.view_dir);
     let cosine = dot(receiver.normal, receiver.view_dir);
+    let gloss = rect_laplace_gloss(receiver.alpha);
+    // The mirror image of the frame that takes the third axis to the normal. It degenerates only where the
+    // pixel faces away from the rectangle's plane, and then nothing arrives.
+    let fold = 1.0 / max(1.0 - facing.z, 1e-6);
+    let folded = fold * facing.xy();
+    let tangents =
+        Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
     let corner = Vec2::new(
         select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
         select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
@@ -136,10 +149,13 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
         offset,
         height2: offset.z * offset.z,
         facing,
-        view,
         mirror: (2.0 * cosine) * facing - view,
         cosine,
-        gloss: rect_laplace_gloss(receiver.alpha),
+        view: view.xy() + (view.z - fold * (cosine - facing.z * view.z)) * facing.xy(),
+        tangents,
+        fold,
+        pull: gloss.square * cosine,
+        gloss,
         extent: Vec2::new(rectangle.half_x, rectangle.half_y),
         corner,
         top: facing.x * (corner.x - offset.x) + facing.y * (corner.y - offset.y) - facing.z * offset.z,

@@ -110,14 +110,16 @@ pub fn rect_laplace_point_sg(reflector: LaplaceReflector, receiver: LaplaceRecei
 
 /// Sharpening.
 #[kernel]
-pub fn rect_laplace_sharpening(share: f32) -> f32 {
-    0.03 + share * (1.24 - 1.29 * share)
+pub fn rect_laplace_sharpening(share: f32) -> Vec2 {
+    let more = 0.03 + share * (1.24 - 1.29 * share);
+    Vec2::new(1.0 + more, more)
 }
 
 /// Sharpening; spherical Gaussian.
 #[kernel]
-pub fn rect_laplace_sharpening_sg(share: f32) -> f32 {
-    0.88 - share * (0.28 + 0.61 * share)
+pub fn rect_laplace_sharpening_sg(share: f32) -> Vec2 {
+    let more = 0.88 - share * (0.28 + 0.61 * share);
+    Vec2::new(1.0 + more, more)
 }
 
 /// Inner evaluation.

@@ -7,11 +7,11 @@ use lobe_codegen::prelude::*;
 /// Where the search begins: the sum of both mirror directions, weighted, met with the rectangle.
 #[kernel]
 pub fn rect_laplace_start(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> Vec2 {
-    let weight = receiver.gloss.square * receiver.cosine;
+    let weight = receiver.pull;
     let aim = weight * reflector.light.xy() + reflector.pull * receiver.mirror.xy();
     let depth = weight * reflector.light.z - reflector.pull * receiver.mirror.z;
-    let tangent = aim / max(depth, 0.05 * (weight + reflector.pull));
-    clamp(receiver.offset.xy() + receiver.offset.z * tangent, -receiver.extent, receiver.extent)
+    let scale = receiver.offset.z / max(depth, 0.05 * (weight + reflector.pull));
+    clamp(receiver.offset.xy() + scale * aim, -receiver.extent, receiver.extent)
 }
 
 /// Moves a spot that is below the pixel's horizon, or within `margin` of it, towards the highest corner.
@@ -34,11 +34,10 @@ pub fn rect_laplace_step(receiver: LaplaceReceiver, spot: LaplaceSpot, local: La
     let g = spot.reach * local.gradient + 4.0 * spot.offset;
     let product = a * c;
     let determinant = max(product - b * b, 1e-5 * product);
-    let low = -receiver.extent - spot.at;
-    let high = receiver.extent - spot.at;
-    let x0 = clamp((b * g.y - c * g.x) / determinant, low.x, high.x);
-    let y0 = clamp((g.y + b * x0) / -c, low.y, high.y);
-    let x = clamp((g.x + b * y0) / -a, low.x, high.x);
-    let y = clamp((g.y + b * x) / -c, low.y, high.y);
-    spot.at + Vec2::new(x, y)
+    let limit = receiver.extent;
+    let x0 = clamp(spot.at.x + (b * g.y - c * g.x) / determinant, -limit.x, limit.x);
+    let y0 = clamp(spot.at.y - (g.y + b * (x0 - spot.at.x)) / c, -limit.y, limit.y);
+    let x = clamp(spot.at.x - (g.x + b * (y0 - spot.at.y)) / a, -limit.x, limit.x);
+    let y = clamp(spot.at.y - (g.y + b * (x - spot.at.x)) / c, -limit.y, limit.y);
+    Vec2::new(x, y)
 }

@@ -4,7 +4,8 @@ use crate::rect::laplace::evaluate::{LaplaceForm, LaplaceSpot};
 use crate::rect::laplace::frame::LaplaceReceiver;
 use lobe_codegen::prelude::*;
 
-/// Extents of the rectangle around a spot, in half-angle coordinates.
+/// Extents of the rectangle around a spot, inverse, in half-angle coordinates: `1/(2 tan(angle/2))` of the angle
+/// from the spot to an edge.
 #[kernel]
 pub struct LaplaceExtent {
     /// To the edges of low and of high x.
@@ -15,14 +16,13 @@ pub struct LaplaceExtent {
     pub secant: Vec2,
 }
 
-/// Half-angle coordinates of two opposite edges, `2 tan(angle/2)` of the angle from the spot to the edge.
+/// Inverse half-angle coordinates of two opposite edges, at `ways` from the spot.
 #[kernel]
-pub fn rect_laplace_edges(across2: f32, across: f32, reach: f32, begin: f32, low: f32, high: f32) -> Vec2 {
-    let to = begin + Vec2::new(-low, high);
-    let span = across + reach;
-    let product = span * (across + sqrt(across2 + to * to));
-    let denominator = max(product + begin * to, Vec2::splat(across2));
-    Vec2::new(low, high) * (4.0 * across) * (product / denominator) / denominator
+pub fn rect_laplace_edges(across2: f32, across: f32, reach: f32, begin: f32, ways: Vec2) -> Vec2 {
+    let to = begin + Vec2::new(-ways.x, ways.y);
+    let product = (across + reach) * (across + sqrt(across2 + to * to));
+    let sum = max(product + begin * to, Vec2::splat(across2));
+    min(sum / product * (sum / max((4.0 * across) * ways, Vec2::splat(1e-28))), Vec2::splat(1e18))
 }
 
 /// Both axes.
@@ -30,11 +30,11 @@ pub fn rect_laplace_edges(across2: f32, across: f32, reach: f32, begin: f32, low
 pub fn rect_laplace_extent(receiver: LaplaceReceiver, spot: LaplaceSpot) -> LaplaceExtent {
     let across2 = receiver.height2 + spot.offset.yx() * spot.offset.yx();
     let across = sqrt(across2);
-    let low = max(receiver.extent + spot.at, Vec2::ZERO);
-    let high = max(receiver.extent - spot.at, Vec2::ZERO);
+    let low = receiver.extent + spot.at;
+    let high = receiver.extent - spot.at;
     LaplaceExtent {
-        x: rect_laplace_edges(across2.x, across.x, spot.reach, spot.offset.x, low.x, high.x),
-        y: rect_laplace_edges(across2.y, across.y, spot.reach, spot.offset.y, low.y, high.y),
+        x: rect_laplace_edges(across2.x, across.x, spot.reach, spot.offset.x, Vec2::new(low.x, high.x)),
+        y: rect_laplace_edges(across2.y, across.y, spot.reach, spot.offset.y, Vec2::new(low.y, high.y)),
         secant: spot.reach / across,
     }
 }
@@ -69,36 +69,39 @@ pub fn rect_laplace_angles(spot: LaplaceSpot, local: LaplaceForm, secant: Vec2, 
     }
 }
 
-/// `∫₀^l (1 + S (2 b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `1 + sharpening` as the lobe falls.
+/// `∫₀^l (1 + S (2 b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `most = 1 + more` as the lobe falls.
 #[kernel]
-pub fn rect_laplace_half_width(a: f32, b: f32, l: f32, sharpening: f32) -> f32 {
-    let q = l * (2.0 * b + a * l);
-    let k = max(q, 0.0);
-    let s = 1.0 + sharpening * (k / (1.0 + k));
-    let r = sqrt(1.0 + s * max(q, -0.25));
-    let t = 1.0 + r;
-    l * t / (r * max(t + s * b * l, 1.0))
+pub fn rect_laplace_half_width(a: f32, b: f32, reciprocal: f32, most: f32, more: f32) -> f32 {
+    let square = reciprocal * reciprocal;
+    let p = 2.0 * b * reciprocal + a;
+    let s = most - more * square / (square + max(p, 0.0));
+    let r = sqrt(square + s * max(p, -0.25 * square));
+    1.0 / (r * max(1.0 + s * b / (reciprocal + r), 0.25))
 }
 
-/// Both halves, `extent` to the low and to the high edge.
+/// Both halves.
 #[kernel]
-pub fn rect_laplace_width(g: f32, second: f32, extent: Vec2, sharpening: f32) -> f32 {
+pub fn rect_laplace_width(g: f32, second: f32, reciprocal: Vec2, sharpening: Vec2) -> f32 {
     let a = second * (1.0 / 3.0);
     let b = g * (1.0 / 3.0);
     let least = -0.5 * sqrt(a);
-    rect_laplace_half_width(a, max(-b, least), extent.x, sharpening)
-        + rect_laplace_half_width(a, max(b, least), extent.y, sharpening)
+    rect_laplace_half_width(a, max(-b, least), reciprocal.x, sharpening.x, sharpening.y)
+        + rect_laplace_half_width(a, max(b, least), reciprocal.y, sharpening.x, sharpening.y)
+}
+
+/// `4/l²` of the whole extent `l` along an axis.
+#[kernel]
+pub fn rect_laplace_whole(reciprocal: Vec2) -> f32 {
+    let twice = 2.0 * reciprocal.x * reciprocal.y / (reciprocal.x + reciprocal.y);
+    twice * twice
 }
 
 /// Effective area: the geometric mean of both orders of integration.
 #[kernel]
-pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
-    let both = Vec2::new(extent.x.x + extent.x.y, extent.y.x + extent.y.y);
+pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {
     let g = angles.gradient;
-    let length2 = both * both;
-    let shown = length2 * (angles.second + g * g) + 4.0;
-    let reduced =
-        max(angles.second - angles.mixed2 * length2.yx() / shown.yx(), 1e-4 * angles.second);
+    let truncated = angles.second + g * g + Vec2::new(rect_laplace_whole(extent.x), rect_laplace_whole(extent.y));
+    let reduced = max(angles.second - angles.mixed2 / truncated.yx(), 1e-4 * angles.second);
     sqrt(
         (rect_laplace_width(g.x, reduced.x, extent.x, sharpening)
             * rect_laplace_width(g.y, angles.second.y, extent.y, sharpening))
@@ -109,15 +112,14 @@ pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpenin
 
 /// Effective area: that order alone whose reduced axis shows more of the lobe.
 #[kernel]
-pub fn rect_laplace_area_fast(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: f32) -> f32 {
-    let both = Vec2::new(extent.x.x + extent.x.y, extent.y.x + extent.y.y);
+pub fn rect_laplace_area_fast(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {
     let g = angles.gradient;
-    let length2 = both * both;
-    let shown = length2 * (angles.second + g * g);
-    let is_x = shown.x > shown.y;
+    let own = angles.second + g * g;
+    let whole = Vec2::new(rect_laplace_whole(extent.x), rect_laplace_whole(extent.y));
+    let is_x = own.x * whole.y > own.y * whole.x;
     let axis = select(angles.second.y, angles.second.x, is_x);
-    let other2 = select(length2.x, length2.y, is_x);
-    let reduced = max(axis - angles.mixed2 * other2 / (min(shown.x, shown.y) + 4.0), 1e-4 * axis);
+    let other = select(own.x + whole.x, own.y + whole.y, is_x);
+    let reduced = max(axis - angles.mixed2 / other, 1e-4 * axis);
     rect_laplace_width(g.x, select(angles.second.x, reduced, is_x), extent.x, sharpening)
         * rect_laplace_width(g.y, select(reduced, angles.second.y, is_x), extent.y, sharpening)
 }
