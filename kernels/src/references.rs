@@ -16,6 +16,8 @@ references! {
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
     /// ACM Transactions on Graphics 31 (6), 2012.
     Iwasaki12;
+    /// This library: derivations of its own, written down in the documentation of the module that is named.
+    Lobe;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
     /// supplementary document.
     Tokuyoshi22;

@@ -120,7 +120,11 @@ pub fn rect_laplace_turn(rectangle: Rectangle, bitangent: Vec3, v: Vec3) -> Vec3
 
 /// What depends on a reflector and its light alone.
 #[kernel]
-pub fn rect_laplace_reflector(rectangle: Rectangle, bitangent: Vec3, reflector: Reflector) -> LaplaceReflector {
+pub fn rect_laplace_reflector(
+    rectangle: Rectangle,
+    bitangent: Vec3,
+    reflector: Reflector,
+) -> LaplaceReflector {
     let light = rect_laplace_turn(rectangle, bitangent, reflector.light_dir);
     let gloss = rect_laplace_gloss(reflector.alpha);
     let pull = 0.5 * gloss.square * light.z;
@@ -139,8 +143,7 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
     // pixel faces away from the rectangle's plane, and then nothing arrives.
     let fold = 1.0 / max(1.0 - facing.z, 1e-6);
     let folded = fold * facing.xy();
-    let tangents =
-        Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
+    let tangents = Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
     let corner = Vec2::new(
         select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
         select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),

@@ -100,7 +100,8 @@ pub fn rect_laplace_whole(reciprocal: Vec2) -> f32 {
 #[kernel]
 pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {
     let g = angles.gradient;
-    let truncated = angles.second + g * g + Vec2::new(rect_laplace_whole(extent.x), rect_laplace_whole(extent.y));
+    let truncated =
+        angles.second + g * g + Vec2::new(rect_laplace_whole(extent.x), rect_laplace_whole(extent.y));
     let reduced = max(angles.second - angles.mixed2 / truncated.yx(), 1e-4 * angles.second);
     sqrt(
         (rect_laplace_width(g.x, reduced.x, extent.x, sharpening)
