@@ -49,6 +49,8 @@ references! {
     Schlick94;
     /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
     Toksvig05;
+    /// This library: derivations of its own, written down in the documentation of the module that is named.
+    Lobe;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
     /// supplementary document.
     Tokuyoshi22;

@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, disk, energy, light, peak};
+use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak};
 use crate::{asg, brdf, filter, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -125,4 +125,8 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     filter::moments_to_lobe_paper,
     filter::moments_variance_paper,
     filter::planar_variance,
+    laplace::rect_laplace,
+    laplace::rect_laplace_sg,
+    laplace::rect_laplace_fast,
+    laplace::rect_laplace_fast_sg,
 ];

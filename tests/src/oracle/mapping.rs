@@ -13,6 +13,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/asg.json"),
     include_str!("../../cases/oracle-map/brdf.json"),
     include_str!("../../cases/oracle-map/filter.json"),
+    include_str!("../../cases/oracle-map/rect_laplace.json"),
 ];
 
 /// A mapping file.
@@ -207,6 +208,9 @@ pub enum Lane {
 /// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); `df32.PATH` (what rounding
 /// the arguments does to it); an argument's
 /// column (of a vector its length, of a list the sum of magnitudes); and `hemisphere_integral`,
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another);
+/// `df32.PATH` (what rounding the arguments does to it); an argument's column (of a vector its length, of a list
+/// the sum of magnitudes); and `hemisphere_integral`,
 /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
 /// All are taken without sign.
 #[derive(Clone, Debug, Deserialize)]
