@@ -62,7 +62,8 @@ pub fn probe(rectangle: Rectangle, source: Reflector, pixel: Receiver) -> Probe 
     let fall_a = rect_laplace_fall_ggx(slope_a.square, reflector.gloss);
     let fall_b = rect_laplace_fall_ggx(slope_b.square, receiver.gloss);
     let local = rect_laplace_form(receiver, spot, slope_a, fall_a, slope_b, fall_b);
-    let own = 0.5 * reflector.gloss.weight * slope_a.scale * spot.down / (reflector.gloss.square + slope_a.square);
+    let own =
+        0.5 * reflector.gloss.weight * slope_a.scale * spot.down / (reflector.gloss.square + slope_a.square);
     let extent = rect_laplace_extent(receiver, spot);
     let angles = rect_laplace_angles(spot, local, extent, own);
     let h = angles.share;
@@ -105,12 +106,15 @@ fn main() {
     let n: usize = a[1].parse().unwrap();
     let kernels = lobe_codegen::kernels![probe];
     let s = Subject::new(kernels[0]).unwrap();
-    let real = Subject::new(*lobe_kernels::registry::KERNELS.iter().find(|k| k().name == "rect_laplace").unwrap()).unwrap();
+    let real =
+        Subject::new(*lobe_kernels::registry::KERNELS.iter().find(|k| k().name == "rect_laplace").unwrap())
+            .unwrap();
     let e = lobe_codegen::data::Columns::zeros(s.program().params().len(), 0);
     let i = Inputs::draw(real.def(), n, a[2].parse().unwrap(), &e).unwrap();
     let names: Vec<String> = s.program().params().iter().map(|p| p.path.clone()).collect();
     let outs: Vec<String> = s.program().results().iter().map(|p| p.path.clone()).collect();
-    let all: Vec<String> = names.iter().cloned().chain(outs.iter().flat_map(|o| [format!("{o}!"), format!("{o}?")])).collect();
+    let all: Vec<String> =
+        names.iter().cloned().chain(outs.iter().flat_map(|o| [format!("{o}!"), format!("{o}?")])).collect();
     println!("{},value,bound", all.join(","));
     let mut at = 0;
     while at < n {

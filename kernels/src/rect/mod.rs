@@ -4,9 +4,9 @@ pub mod angle;
 pub mod attenuation;
 pub mod disk;
 pub mod energy;
+pub mod laplace;
 pub mod light;
 pub mod peak;
-pub mod laplace;
 
 use lobe_codegen::prelude::*;
 
