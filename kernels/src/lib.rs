@@ -25,6 +25,7 @@ pub mod asg;
 pub mod brdf;
 pub mod hsg;
 pub mod rect;
+pub mod reference;
 pub mod references;
 pub mod registry;
 pub mod sg;

@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::{asg, brdf, hsg, sg, special};
+use crate::{asg, brdf, hsg, reference, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -76,4 +76,23 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     brdf::model::surface_transfer,
     brdf::model::surface_brdf_cosine,
     brdf::model::surface_brdf,
+    reference::random::pcg_hash,
+    reference::random::pcg3d,
+    reference::random::pcg4d,
+    reference::random::uniform_of_bits,
+    reference::random::random_pair,
+    reference::moments::moments_add,
+    reference::moments::moments_merge,
+    reference::moments::moments_standard_error,
+    reference::moments::luminance,
+    reference::rectangle::rectangle_point,
+    reference::rectangle::rectangle_intersect,
+    reference::rectangle::rectangle_is_met,
+    reference::one_bounce::one_bounce_cosines,
+    reference::one_bounce::one_bounce_transfer,
+    reference::one_bounce::one_bounce_area_integrand,
+    reference::one_bounce::one_bounce_ndf_transfer,
+    reference::one_bounce::one_bounce_sample,
+    reference::one_bounce::one_bounce_density,
+    reference::one_bounce::one_bounce_estimate,
 ];
