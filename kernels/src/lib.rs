@@ -29,6 +29,7 @@ pub mod brdf;
 pub mod filter;
 pub mod hsg;
 pub mod rect;
+pub mod reference;
 pub mod references;
 pub mod registry;
 pub mod sg;

@@ -13,6 +13,9 @@ macro_rules! references {
 references! {
     /// B. Burley, Physically-Based Shading at Disney, SIGGRAPH Courses, 2012.
     Burley12;
+    /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
+    /// Recommendations, The American Statistician 37 (3), 1983.
+    Chan83;
     /// R. L. Cook, K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics
     /// 1 (1), 1982.
     CookTorrance82;

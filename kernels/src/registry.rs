@@ -2,7 +2,7 @@
 //! test says so.
 
 use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak};
-use crate::{asg, brdf, filter, hsg, sg, special};
+use crate::{asg, brdf, filter, hsg, reference, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -129,4 +129,23 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     laplace::rect_laplace_sg,
     laplace::rect_laplace_fast,
     laplace::rect_laplace_fast_sg,
+    reference::random::pcg_hash,
+    reference::random::pcg3d,
+    reference::random::pcg4d,
+    reference::random::uniform_of_bits,
+    reference::random::random_pair,
+    reference::moments::moments_add,
+    reference::moments::moments_merge,
+    reference::moments::moments_standard_error,
+    reference::moments::luminance,
+    reference::rectangle::rectangle_point,
+    reference::rectangle::rectangle_intersect,
+    reference::rectangle::rectangle_is_met,
+    reference::one_bounce::one_bounce_cosines,
+    reference::one_bounce::one_bounce_transfer,
+    reference::one_bounce::one_bounce_area_integrand,
+    reference::one_bounce::one_bounce_ndf_transfer,
+    reference::one_bounce::one_bounce_sample,
+    reference::one_bounce::one_bounce_density,
+    reference::one_bounce::one_bounce_estimate,
 ];

@@ -18,7 +18,7 @@ use lobe_codegen::prelude::*;
 /// | `albedo` | share of the light that is reflected, linear RGB | 0 ..= 1 | 1 |
 ///
 /// Returns the reflectance in 1/sr. It is not lowered by what the glossy lobe reflects.
-#[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * max(max(albedo.x, albedo.y), albedo.z) + 1e-37))]
+#[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
 pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     INVERSE_PI * albedo
 }
@@ -44,7 +44,7 @@ pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, alpha = 0.02..=1.0, normal = unit, light = unit, view = unit),
     budget(
         (4e-6 + 1.5e-6 * smith_visibility(dot(normal, light), dot(normal, view), alpha))
-            * smith_visibility(dot(normal, light), dot(normal, view), alpha) * max(max(max(f0.x, f0.y), f0.z), f90) + 1e-30
+            * smith_visibility(dot(normal, light), dot(normal, view), alpha) * max(largest(f0), f90) + 1e-30
     )
 )]
 pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
@@ -73,7 +73,7 @@ pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, v
     family = "brdf",
     cite = "[Tokuyoshi15b] section 1.1",
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, alpha = 0.02..=1.0, normal = unit, light = unit, view = unit),
-    budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(max(max(f0.x, f0.y), f0.z), f90) / (alpha * alpha * alpha) + 1e-33)
+    budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(largest(f0), f90) / (alpha * alpha * alpha) + 1e-33)
 )]
 pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_v = max(dot(normal, view), 1e-4);
@@ -108,7 +108,7 @@ pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, ligh
         (6e-6 + 2e-6 / alpha + 1.5e-6 * smith_visibility(dot(normal, light), dot(normal, view), alpha)
             + select(0.0, 10.0, min(dot(normal, light), dot(normal, view)) < 1e-6))
             * smith_visibility(dot(normal, light), dot(normal, view), alpha)
-            * ggx_ndf_between(normal, light, view, alpha) * max(max(max(f0.x, f0.y), f0.z), f90) + 1e-30
+            * ggx_ndf_between(normal, light, view, alpha) * max(largest(f0), f90) + 1e-30
     )
 )]
 pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
@@ -136,8 +136,7 @@ pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3
     cite = "[CookTorrance82]",
     domain(normal = unit, light = unit, view = unit),
     budget(
-        4e-7 + (1e-6 + 2e-6 / material.alpha) * ggx_ndf_between(normal, light, view, material.alpha)
-            * max(max(max(material.f0.x, material.f0.y), material.f0.z), material.f90)
+        surface_error(material, normal, light, view)
     )
 )]
 pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
@@ -167,8 +166,7 @@ pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec
     cite = "[CookTorrance82]",
     domain(normal = unit, light = unit, view = unit),
     budget(
-        (4e-7 + (1e-6 + 2e-6 / material.alpha) * ggx_ndf_between(normal, light, view, material.alpha)
-            * max(max(max(material.f0.x, material.f0.y), material.f0.z), material.f90)) / max(dot(normal, view), 1e-4)
+        surface_error(material, normal, light, view) / max(dot(normal, view), 1e-4)
     )
 )]
 pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
@@ -196,7 +194,7 @@ pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: 
             + select(0.0, 10.0, min(dot(normal, light), dot(normal, view)) < 1e-6))
             * smith_visibility(dot(normal, light), dot(normal, view), material.alpha)
             * ggx_ndf_between(normal, light, view, material.alpha)
-            * max(max(max(material.f0.x, material.f0.y), material.f0.z), material.f90)
+            * max(largest(material.f0), material.f90)
             + 2e-7 + select(0.0, 0.4, min(dot(normal, light), dot(normal, view)) < 1e-6)
     )
 )]
@@ -204,4 +202,17 @@ pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -
     let is_seen = dot(normal, light) > 0.0 && dot(normal, view) > 0.0;
     let diffuse = select(Vec3::ZERO, lambert_brdf(material.diffuse_albedo), is_seen);
     diffuse + microfacet_brdf(material.f0, material.f90, material.alpha, normal, light, view)
+}
+
+/// The permitted error of [`surface_transfer`]: that of the cosines, and that of the distribution.
+#[kernel]
+pub(crate) fn surface_error(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
+    let lobe = ggx_ndf_between(normal, light, view, material.alpha) * max(largest(material.f0), material.f90);
+    4e-7 + (1e-6 + 2e-6 / material.alpha) * lobe
+}
+
+/// The largest channel of a colour.
+#[kernel]
+pub(crate) fn largest(colour: Vec3) -> f32 {
+    max(max(colour.x, colour.y), colour.z)
 }

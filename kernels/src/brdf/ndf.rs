@@ -92,7 +92,8 @@ pub fn ggx_ndf_paper(cosine: f32, alpha: f32) -> f32 {
 /// Returns the density in 1/sr, in 0 ..= 1/(π alpha²); 0 for opposite directions, which have no half vector.
 ///
 /// Numerics: no root and no quotient before the last one. The sum is rounded, which turns the half vector by
-/// up to 1e-7; a lobe of width `alpha` feels `1e-7/alpha` of that, which no form avoids.
+/// up to 1e-7; a lobe of width `alpha` feels `1e-7/alpha` of that, which no form avoids. Where rounding is all that
+/// is left of the sum, the width is held at the peak's.
 #[kernel(
     family = "brdf",
     cite = "[Walter07] eq. 33",
@@ -104,7 +105,7 @@ pub fn ggx_ndf_between(normal: Vec3, light: Vec3, view: Vec3, alpha: f32) -> f32
     let sine = cross(normal, sum);
     let cosine = dot(normal, sum);
     let falloff = dot(sine, sine) + (alpha * alpha) * (cosine * cosine);
-    let width = alpha * (dot(sum, sum) / max(falloff, 1e-24));
+    let width = min(alpha * (dot(sum, sum) / max(falloff, 1e-24)), 1.0 / alpha);
     INVERSE_PI * (width * width)
 }
 

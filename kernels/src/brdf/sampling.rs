@@ -217,7 +217,7 @@ pub fn ggx_half_vector_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3) ->
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
-/// | `view` | unit direction in the frame of the normal; below the horizon it counts as grazing | sphere | 1 |
+/// | `view` | unit direction in the frame of the normal; the height's sign is not read | sphere | 1 |
 /// | `alpha` | width | 0.02 ..= 1 | 1 |
 /// | `u` | two uniform numbers | 0 ..= 1 - 2^-24 | 1 |
 ///
@@ -235,8 +235,8 @@ pub fn ggx_half_vector_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3) ->
     budget(3e-6 + 2.5e-6 * alpha / (1.0 - u.y))
 )]
 pub fn ggx_sample_visible_normal(view: Vec3, alpha: f32, u: Vec2) -> Vec3 {
-    let stretched = Vec3::new(alpha * view.x, alpha * view.y, max(view.z, 0.0));
-    let w = stretched * inverse_sqrt(max(dot(stretched, stretched), 1e-12));
+    let stretched = Vec3::new(alpha * view.x, alpha * view.y, abs(view.z));
+    let w = stretched * inverse_sqrt(max(dot(stretched, stretched), 1e-8));
     let rise = 1.0 + w.z;
     let height = (1.0 - u.y) * rise;
     let across = (w.x * w.x + w.y * w.y) / rise;
