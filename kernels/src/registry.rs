@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, disk, energy, light, peak};
+use crate::rect::{angle, attenuation, disk, energy, light, peak, shade};
 use crate::{asg, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -56,6 +56,7 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     energy::rect_aperture_paper,
     energy::rect_energy,
     energy::rect_energy_paper,
+    energy::rect_disk_energy,
     energy::rect_energy_ggx,
     disk::rect_disk_radius,
     disk::disk_corner,
@@ -74,4 +75,13 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     light::rect_lobe,
     light::rect_asg_from_disk,
     light::rect_asg_from_disk_paper,
+    shade::rect_reflected,
+    shade::rect_reflection,
+    shade::rect_reflection_paper,
+    shade::rect_shade_within,
+    shade::rect_shade_error,
+    shade::rect_shade,
+    shade::rect_shade_light,
+    shade::rect_shade_light_unlimited,
+    shade::rect_shade_light_paper,
 ];

@@ -6,6 +6,7 @@ pub mod disk;
 pub mod energy;
 pub mod light;
 pub mod peak;
+pub mod shade;
 
 use lobe_codegen::prelude::*;
 

@@ -11,6 +11,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/sg.json"),
     include_str!("../../cases/oracle-map/hsg.json"),
     include_str!("../../cases/oracle-map/asg.json"),
+    include_str!("../../cases/oracle-map/rect.json"),
 ];
 
 /// A mapping file.
