@@ -246,9 +246,11 @@ pub fn rect_shade_within(
     let height = dot(offset, rectangle.normal);
     let cos_sigma = max(reflection.cos_sigma, LEAST_COSINE);
     let dist = max(height, 0.0) / cos_sigma;
-    let flat = offset + dist * reflection.axis;
-    let x = dot(flat, rectangle.tangent);
-    let y = dot(flat, cross(rectangle.normal, rectangle.tangent));
+    // The way from the rectangle's middle to the peak, within its plane.
+    let level = (offset - height * rectangle.normal)
+        + dist * (reflection.axis + reflection.cos_sigma * rectangle.normal);
+    let x = dot(level, rectangle.tangent);
+    let y = dot(level, cross(rectangle.normal, rectangle.tangent));
     let bounds = rect_disk_bounds(rectangle.half_x, rectangle.half_y, x, y, radius);
     let coverage = min(rect_coverage_paper(rectangle.half_x, rectangle.half_y, x, y, radius), fullest);
 
@@ -280,7 +282,7 @@ pub fn rect_shade_within(
     let lit = receiver.reflectance * cosine * peak_density * (amplitude * product);
     RectShade {
         height,
-        peak: receiver.position + dist * reflection.axis,
+        peak: rectangle.position + level,
         dist,
         aperture,
         bounds,
