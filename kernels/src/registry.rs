@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak};
+use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak, shade};
 use crate::{asg, brdf, filter, hsg, reference, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -93,6 +93,7 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     energy::rect_aperture_paper,
     energy::rect_energy,
     energy::rect_energy_paper,
+    energy::rect_disk_energy,
     energy::rect_energy_ggx,
     disk::rect_disk_radius,
     disk::disk_corner,
@@ -148,4 +149,13 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     reference::one_bounce::one_bounce_sample,
     reference::one_bounce::one_bounce_density,
     reference::one_bounce::one_bounce_estimate,
+    shade::rect_reflected,
+    shade::rect_reflection,
+    shade::rect_reflection_paper,
+    shade::rect_shade_within,
+    shade::rect_shade_error,
+    shade::rect_shade,
+    shade::rect_shade_light,
+    shade::rect_shade_light_unlimited,
+    shade::rect_shade_light_paper,
 ];

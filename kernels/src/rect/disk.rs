@@ -102,7 +102,8 @@ pub fn rect_disk_area(half_x: f32, half_y: f32, center_x: f32, center_y: f32, ra
     let left = sign(x0) * (sign(y1) * disk_block(abs(x0), abs(y1)) - sign(y0) * disk_block(abs(x0), abs(y0)));
     let right =
         sign(x1) * (sign(y1) * disk_block(abs(x1), abs(y1)) - sign(y0) * disk_block(abs(x1), abs(y0)));
-    let part = clamp(right - left, 0.0, (x1 - x0) * (y1 - y0));
+    let whole = clamp(x1 - x0, 0.0, 2.0 * half_x * scale) * clamp(y1 - y0, 0.0, 2.0 * half_y * scale);
+    let part = clamp(right - left, 0.0, whole);
     let far_x = (abs(center_x) + half_x) * scale;
     let far_y = (abs(center_y) + half_y) * scale;
     select(radius * radius * part, 4.0 * (half_x * half_y), far_x * far_x + far_y * far_y <= 1.0)
@@ -133,8 +134,9 @@ pub fn rect_disk_bounds(half_x: f32, half_y: f32, center_x: f32, center_y: f32, 
     let gap_y = max(abs(center_y) - half_y, 0.0);
     let reach_x = sqrt(max((radius - gap_y) * (radius + gap_y), 0.0));
     let reach_y = sqrt(max((radius - gap_x) * (radius + gap_x), 0.0));
-    let width = min(half_x, center_x + reach_x) - max(-half_x, center_x - reach_x);
-    let height = min(half_y, center_y + reach_y) - max(-half_y, center_y - reach_y);
+    // From the middle of the disk to either side.
+    let width = min(half_x - center_x, reach_x) + min(half_x + center_x, reach_x);
+    let height = min(half_y - center_y, reach_y) + min(half_y + center_y, reach_y);
     max(width, 0.0) * max(height, 0.0)
 }
 

@@ -1,6 +1,7 @@
 //! Radiance at the specular peak, and the energy that the sampling disk sends to a position.
 
 use crate::rect::angle::HALF_PI;
+use crate::rect::attenuation::rect_attenuation;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;
 use crate::special::expm1_over_x;
@@ -129,6 +130,32 @@ pub fn rect_energy(coverage: f32, radiance: f32, attenuation: f32, aperture: f32
 )]
 pub fn rect_energy_paper(coverage: f32, radiance: f32, attenuation: f32, aperture: f32) -> f32 {
     coverage * (2.0 * HALF_PI / attenuation) * (1.0 - exp(-attenuation * aperture)) * radiance
+}
+
+/// Energy that a disk sends to a position, out of its size and slant.
+///
+/// [`rect_energy`] with [`rect_attenuation`] and [`rect_aperture`]. Source: [RectGlossy] eq. 27.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `coverage` | share of the disk that the rectangle covers | 0 ..= 1.274 | 1 |
+/// | `radiance` | at the peak | 0 ..= 1e9 | W m⁻² sr⁻¹ |
+/// | `cos_sigma` | cosine of the light's angle of incidence | 1e-3 ..= 1 | 1 |
+/// | `ratio` | radius of the disk over the distance of its middle | 0 ..= 1e6 | 1 |
+/// | `alpha` | GGX alpha of the rectangle | 0.001 ..= 1 | 1 |
+///
+/// Returns the energy in W m⁻², at least 0.
+#[kernel(
+    family = "rect",
+    cite = "[RectGlossy] eq. 27",
+    domain(
+        coverage = 0.0..=1.274, radiance = 0.0..=1e9, cos_sigma = 1e-3..=1.0, ratio = 0.0..=1e6,
+        alpha = 0.001..=1.0
+    ),
+    budget(7e-6 * result + 1e-26)
+)]
+pub fn rect_disk_energy(coverage: f32, radiance: f32, cos_sigma: f32, ratio: f32, alpha: f32) -> f32 {
+    rect_energy(coverage, radiance, rect_attenuation(cos_sigma, alpha), rect_aperture(ratio, cos_sigma))
 }
 
 /// Energy that the disk sends to a position, without a fit.

@@ -181,8 +181,8 @@ pub fn rect_disk_frame(axis: Vec3, normal: Vec3, tangent: Vec3) -> Mat3 {
     budget(
         z = 2e-6,
         lambda = 1e-5 * result.lambda,
-        mu = (1e-5 + 2e-6 * result.half_x / result.half_y) * result.mu,
-        amplitude = (1e-5 + 2e-6 * result.half_x / result.half_y) * result.amplitude + 1e-28,
+        mu = (1e-5 + 4e-6 * result.half_x / result.half_y) * result.mu,
+        amplitude = (1e-5 + 4e-6 * result.half_x / result.half_y) * result.amplitude + 1e-28,
         half_x = 2e-6 * result.half_x,
         half_y = 4e-6 * result.half_x
     )
@@ -218,7 +218,7 @@ pub fn rect_asg_from_disk(
     budget(
         z = 2e-6,
         lambda = 1e-5 * abs(result.lambda) + 3e-5,
-        mu = (1e-5 + 2e-6 * result.half_x / result.half_y) * (abs(result.mu) + 10.0),
+        mu = (1e-5 + 4e-6 * result.half_x / result.half_y) * (abs(result.mu) + 10.0),
         half_x = 2e-6 * result.half_x,
         half_y = 4e-6 * result.half_x
     ),

@@ -7,6 +7,7 @@ pub mod energy;
 pub mod laplace;
 pub mod light;
 pub mod peak;
+pub mod shade;
 
 use lobe_codegen::prelude::*;
 

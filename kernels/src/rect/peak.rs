@@ -37,7 +37,8 @@ pub struct SpecularPeak {
 /// Returns the peak. There is none where the light is below the rectangle's plane (`i·n <= 0`) or the position is
 /// (`dist <= 0`): that is for the caller to ask.
 ///
-/// Numerics: a cosine `i·n` below 1e-5 is taken for that. The distance is as wrong as the height over the plane,
+/// Numerics: the way within the plane is taken from the rectangle's middle, so that the peak is on the plane. A cosine
+/// `i·n` below 1e-5 is taken for that. The distance is as wrong as the height over the plane,
 /// which is small against the way to the rectangle's middle for positions near the plane.
 #[kernel(
     family = "rect",
@@ -53,7 +54,13 @@ pub struct SpecularPeak {
 )]
 pub fn rect_specular_peak(rectangle: Rectangle, light_dir: Vec3, position: Vec3) -> SpecularPeak {
     let cosine = dot(light_dir, rectangle.normal);
-    let reflected = 2.0 * cosine * rectangle.normal - light_dir;
-    let dist = dot(position - rectangle.position, rectangle.normal) / max(cosine, LEAST_COSINE);
-    SpecularPeak { position: position - dist * reflected, reflected, dist }
+    let offset = position - rectangle.position;
+    let height = dot(offset, rectangle.normal);
+    let dist = height / max(cosine, LEAST_COSINE);
+    let level = (offset - height * rectangle.normal) + dist * (light_dir - cosine * rectangle.normal);
+    SpecularPeak {
+        position: rectangle.position + level,
+        reflected: 2.0 * cosine * rectangle.normal - light_dir,
+        dist,
+    }
 }

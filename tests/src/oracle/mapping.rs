@@ -14,6 +14,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/brdf.json"),
     include_str!("../../cases/oracle-map/filter.json"),
     include_str!("../../cases/oracle-map/rect_laplace.json"),
+    include_str!("../../cases/oracle-map/rect.json"),
 ];
 
 /// A mapping file.
