@@ -146,10 +146,9 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
     let fold = 1.0 / max(1.0 - facing.z, 1e-6);
     let folded = fold * facing.xy();
     let tangents = Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
-    let corner = Vec2::new(
-        select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
-        select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
-    );
+    // Of the sign of the normal, but for normals within 1e-4 of an axis: there a sign would be chance.
+    let extent = Vec2::new(rectangle.half_x, rectangle.half_y);
+    let corner = extent * clamp(1e4 * facing.xy(), Vec2::splat(-1.0), Vec2::splat(1.0));
     LaplaceReceiver {
         offset,
         height2: offset.z * offset.z,
@@ -160,7 +159,7 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
         tangents,
         pull: gloss.square * cosine,
         gloss,
-        extent: Vec2::new(rectangle.half_x, rectangle.half_y),
+        extent,
         edges_x: Vec2::new(-rectangle.half_x - offset.x, rectangle.half_x - offset.x),
         edges_y: Vec2::new(-rectangle.half_y - offset.y, rectangle.half_y - offset.y),
         corner,
