@@ -89,6 +89,7 @@ pub fn rect_laplace_receiver_slope(receiver: LaplaceReceiver, spot: LaplaceSpot)
     // The floor is below what the view and the lifted spot leave.
     let scale = 1.0 / max(spot.cosine + receiver.cosine, 1e-3);
     let facing = receiver.facing.xy();
+    // The direction to the spot, by the two tangents.
     let across = Vec2::new(
         receiver.tangents.x * spot.along.x + receiver.tangents.z * spot.along.y,
         receiver.tangents.z * spot.along.x + receiver.tangents.y * spot.along.y,

@@ -3,9 +3,9 @@
 use crate::rect::Rectangle;
 use lobe_codegen::prelude::*;
 
-/// 2/π².
+/// 8/π².
 #[kernel]
-pub const TWO_OVER_PI_SQUARE: f32 = 0.20264236728467554289;
+pub const EIGHT_OVER_PI_SQUARE: f32 = 0.81056946913870217156;
 
 /// A glossy rectangle under one directional light.
 #[kernel]
@@ -60,9 +60,9 @@ pub struct LaplaceReflector {
     pub light: Vec3,
     /// Its distribution.
     pub gloss: Gloss,
-    /// Weight of the light's mirror direction where the search begins.
+    /// Weight of the view's mirror direction where the search begins.
     pub pull: f32,
-    /// `alpha²/π²` times the light's cosine.
+    /// `4 alpha²/π²` times the light's cosine.
     pub peak: f32,
 }
 
@@ -82,16 +82,18 @@ pub struct LaplaceReceiver {
     pub cosine: f32,
     /// The viewer's direction along the pixel's surface, by its two tangents.
     pub view: Vec2,
-    /// Tangents of the pixel's surface, `(xx, xy, facing.x)` and `(xy, yy, facing.y)`: their xx, yy, xy.
+    /// Two tangents of the pixel's surface, `(xx, xy, facing.x)` and `(xy, yy, facing.y)`: xx, yy, xy.
     pub tangents: Vec3,
-    /// `1/(1 - facing.z)`.
-    pub fold: f32,
-    /// Weight of `mirror` where the search begins is the reflector's; that of the light's direction is this.
+    /// Weight of the light's mirror direction where the search begins; that of `mirror` is the reflector's.
     pub pull: f32,
     /// Its distribution.
     pub gloss: Gloss,
     /// Half the rectangle's extents.
     pub extent: Vec2,
+    /// Where the edges of low and high x are, from the foot of the pixel's perpendicular.
+    pub edges_x: Vec2,
+    /// Where the edges of low and high y are.
+    pub edges_y: Vec2,
     /// The corner of the rectangle that is highest above the pixel's horizon.
     pub corner: Vec2,
     /// Height of that corner above the horizon plane.
@@ -128,7 +130,7 @@ pub fn rect_laplace_reflector(
     let light = rect_laplace_turn(rectangle, bitangent, reflector.light_dir);
     let gloss = rect_laplace_gloss(reflector.alpha);
     let pull = 0.5 * gloss.square * light.z;
-    LaplaceReflector { light, gloss, pull, peak: TWO_OVER_PI_SQUARE * pull }
+    LaplaceReflector { light, gloss, pull, peak: EIGHT_OVER_PI_SQUARE * pull }
 }
 
 /// What depends on a receiver and a rectangle alone.
@@ -144,10 +146,9 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
     let fold = 1.0 / max(1.0 - facing.z, 1e-6);
     let folded = fold * facing.xy();
     let tangents = Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
-    let corner = Vec2::new(
-        select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
-        select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
-    );
+    // Of the sign of the normal, but for normals within 1e-4 of an axis: there a sign would be chance.
+    let extent = Vec2::new(rectangle.half_x, rectangle.half_y);
+    let corner = extent * clamp(1e4 * facing.xy(), Vec2::splat(-1.0), Vec2::splat(1.0));
     LaplaceReceiver {
         offset,
         height2: offset.z * offset.z,
@@ -156,10 +157,11 @@ pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Re
         cosine,
         view: view.xy() + (view.z - fold * (cosine - facing.z * view.z)) * facing.xy(),
         tangents,
-        fold,
         pull: gloss.square * cosine,
         gloss,
-        extent: Vec2::new(rectangle.half_x, rectangle.half_y),
+        extent,
+        edges_x: Vec2::new(-rectangle.half_x - offset.x, rectangle.half_x - offset.x),
+        edges_y: Vec2::new(-rectangle.half_y - offset.y, rectangle.half_y - offset.y),
         corner,
         top: facing.x * (corner.x - offset.x) + facing.y * (corner.y - offset.y) - facing.z * offset.z,
     }

@@ -46,11 +46,11 @@ pub fn rect_laplace_result(
     reflector: LaplaceReflector,
     peak: LaplacePoint,
     secant: Vec2,
-    area: f32,
+    quarter: f32,
 ) -> LaplaceIntegral {
     let spot = peak.spot;
-    // No approximate area makes a projected solid angle above 2π.
-    let seen = min(max(spot.cosine, 0.0) * spot.down * (secant.x * secant.y * area), TWO_PI);
+    // No area makes a projected solid angle above 2π.
+    let seen = min(max(spot.cosine, 0.0) * spot.down * (secant.x * secant.y * quarter), 0.25 * TWO_PI);
     LaplaceIntegral {
         value: reflector.peak * peak.density * seen,
         dir: Vec3::new(spot.along.x, spot.along.y, -spot.down),
@@ -64,11 +64,18 @@ pub fn rect_laplace_local(
     receiver: LaplaceReceiver,
     spot: LaplaceSpot,
 ) -> LaplaceForm {
-    let ours = rect_laplace_reflector_slope(reflector.light, spot);
-    let theirs = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall(theirs.square, receiver.gloss);
-    rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight)
+    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
+    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall(receiver_slope.square, receiver.gloss);
+    rect_laplace_form(
+        receiver,
+        spot,
+        reflector_slope,
+        reflector_fall.weight,
+        receiver_slope,
+        receiver_fall.weight,
+    )
 }
 
 /// Form around a spot, for the search; spherical Gaussian.
@@ -78,27 +85,41 @@ pub fn rect_laplace_local_sg(
     receiver: LaplaceReceiver,
     spot: LaplaceSpot,
 ) -> LaplaceForm {
-    let ours = rect_laplace_reflector_slope(reflector.light, spot);
-    let theirs = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall_sg(theirs.square, receiver.gloss);
-    rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight)
+    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
+    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall_sg(receiver_slope.square, receiver.gloss);
+    rect_laplace_form(
+        receiver,
+        spot,
+        reflector_slope,
+        reflector_fall.weight,
+        receiver_slope,
+        receiver_fall.weight,
+    )
 }
 
 /// Everything at a spot.
 #[kernel]
 pub fn rect_laplace_point(reflector: LaplaceReflector, receiver: LaplaceReceiver, at: Vec2) -> LaplacePoint {
     let spot = rect_laplace_spot(receiver, at);
-    let ours = rect_laplace_reflector_slope(reflector.light, spot);
-    let theirs = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall(theirs.square, receiver.gloss);
+    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
+    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall(receiver_slope.square, receiver.gloss);
     let falls = (1.0 + reflector_fall.value) * (1.0 + receiver_fall.value);
     LaplacePoint {
         spot,
-        local: rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight),
+        local: rect_laplace_form(
+            receiver,
+            spot,
+            reflector_slope,
+            reflector_fall.weight,
+            receiver_slope,
+            receiver_fall.weight,
+        ),
         density: receiver.gloss.square * (falls * falls),
-        own: (2.0 * spot.down) * ours.scale * reflector_fall.value,
+        own: (2.0 * spot.down) * reflector_slope.scale * reflector_fall.value,
     }
 }
 
@@ -110,16 +131,23 @@ pub fn rect_laplace_point_sg(
     at: Vec2,
 ) -> LaplacePoint {
     let spot = rect_laplace_spot(receiver, at);
-    let ours = rect_laplace_reflector_slope(reflector.light, spot);
-    let theirs = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(ours.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall_sg(theirs.square, receiver.gloss);
+    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
+    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
+    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
+    let receiver_fall = rect_laplace_fall_sg(receiver_slope.square, receiver.gloss);
     let reflector_root = 1.0 + reflector_fall.value;
     LaplacePoint {
         spot,
-        local: rect_laplace_form(receiver, spot, ours, reflector_fall.weight, theirs, receiver_fall.weight),
+        local: rect_laplace_form(
+            receiver,
+            spot,
+            reflector_slope,
+            reflector_fall.weight,
+            receiver_slope,
+            receiver_fall.weight,
+        ),
         density: reflector_root * reflector_root * receiver_fall.value / receiver.gloss.square,
-        own: (2.0 * spot.down) * ours.scale * reflector_fall.value,
+        own: (2.0 * spot.down) * reflector_slope.scale * reflector_fall.value,
     }
 }
 
@@ -149,8 +177,8 @@ pub fn rect_laplace_integral(reflector: LaplaceReflector, receiver: LaplaceRecei
     let peak = rect_laplace_point(reflector, receiver, rect_laplace_lift(receiver, step, 0.03));
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
-    let area = rect_laplace_area(angles, extent, rect_laplace_sharpening(angles.share));
-    rect_laplace_result(reflector, peak, extent.secant, area)
+    let quarter = rect_laplace_area(angles, extent, rect_laplace_sharpening(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, quarter)
 }
 
 /// Inner evaluation; spherical Gaussian.
@@ -165,8 +193,8 @@ pub fn rect_laplace_integral_sg(reflector: LaplaceReflector, receiver: LaplaceRe
     let peak = rect_laplace_point_sg(reflector, receiver, rect_laplace_lift(receiver, step, 0.03));
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
-    let area = rect_laplace_area(angles, extent, rect_laplace_sharpening_sg(angles.share));
-    rect_laplace_result(reflector, peak, extent.secant, area)
+    let quarter = rect_laplace_area(angles, extent, rect_laplace_sharpening_sg(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, quarter)
 }
 
 /// Inner evaluation; fast.
@@ -179,8 +207,8 @@ pub fn rect_laplace_fast_integral(reflector: LaplaceReflector, receiver: Laplace
     let peak = rect_laplace_point(reflector, receiver, start);
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
-    let area = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening(angles.share));
-    rect_laplace_result(reflector, peak, extent.secant, area)
+    let quarter = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, quarter)
 }
 
 /// Inner evaluation; fast; spherical Gaussian.
@@ -196,6 +224,6 @@ pub fn rect_laplace_fast_integral_sg(
     let peak = rect_laplace_point_sg(reflector, receiver, start);
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
-    let area = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening_sg(angles.share));
-    rect_laplace_result(reflector, peak, extent.secant, area)
+    let quarter = rect_laplace_area_fast(angles, extent, rect_laplace_sharpening_sg(angles.share));
+    rect_laplace_result(reflector, peak, extent.secant, quarter)
 }

@@ -47,11 +47,11 @@
 //! |---|---|---|
 //! | rectangle | [`rect_laplace_bitangent`] | 9 |
 //! | rectangle and light | [`rect_laplace_reflector`] | 21 |
-//! | pixel and rectangle | [`rect_laplace_receiver`] | COST_RECEIVER |
-//! | pixel, rectangle and light | [`rect_laplace_integral`] | COST_INTEGRAL |
-//! | | [`rect_laplace_integral_sg`] | COST_INTEGRAL_SG |
-//! | | [`rect_laplace_fast_integral`] | COST_FAST |
-//! | | [`rect_laplace_fast_integral_sg`] | COST_FAST_SG |
+//! | pixel and rectangle | [`rect_laplace_receiver`] | 98 |
+//! | pixel, rectangle and light | [`rect_laplace_integral`] | 703 |
+//! | | [`rect_laplace_integral_sg`] | 712 |
+//! | | [`rect_laplace_fast_integral`] | 417 |
+//! | | [`rect_laplace_fast_integral_sg`] | 421 |
 //!
 //! The integrals return the direction of the spot, too, at which an engine evaluates its `M_r` and `M_x`.
 //! [`rect_laplace`] and its variants do everything for one pixel, with constant reflectances.

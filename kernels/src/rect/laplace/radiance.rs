@@ -59,9 +59,10 @@ pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver
 )]
 pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
-    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
-    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
-    rect_laplace_scale(reflector, receiver) * rect_laplace_integral(ours, theirs).value
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver)
+        * rect_laplace_integral(reflector_in_frame, receiver_in_frame).value
 }
 
 /// Radiance that a pixel with a spherical Gaussian for its distribution reflects of a glossy rectangle.
@@ -78,9 +79,10 @@ pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiv
 )]
 pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
-    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
-    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
-    rect_laplace_scale(reflector, receiver) * rect_laplace_integral_sg(ours, theirs).value
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver)
+        * rect_laplace_integral_sg(reflector_in_frame, receiver_in_frame).value
 }
 
 /// Radiance that a GGX pixel reflects of a glossy rectangle, with one evaluation.
@@ -99,9 +101,10 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Rec
 )]
 pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
-    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
-    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
-    rect_laplace_scale(reflector, receiver) * rect_laplace_fast_integral(ours, theirs).value
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver)
+        * rect_laplace_fast_integral(reflector_in_frame, receiver_in_frame).value
 }
 
 /// Radiance that a pixel with a spherical Gaussian for its distribution reflects of a glossy rectangle, with one evaluation.
@@ -117,7 +120,8 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: R
 )]
 pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
-    let ours = rect_laplace_reflector(rectangle, bitangent, reflector);
-    let theirs = rect_laplace_receiver(rectangle, bitangent, receiver);
-    rect_laplace_scale(reflector, receiver) * rect_laplace_fast_integral_sg(ours, theirs).value
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    rect_laplace_scale(reflector, receiver)
+        * rect_laplace_fast_integral_sg(reflector_in_frame, receiver_in_frame).value
 }

@@ -18,10 +18,16 @@ pub struct LaplaceExtent {
 
 /// Inverse half-angle coordinates of two opposite edges, at `ways` from the spot.
 #[kernel]
-pub fn rect_laplace_edges(across2: f32, across: f32, reach: f32, begin: f32, ways: Vec2) -> Vec2 {
-    let to = begin + Vec2::new(-ways.x, ways.y);
-    let product = (across + reach) * (across + sqrt(across2 + to * to));
-    let sum = max(product + begin * to, Vec2::splat(across2));
+pub fn rect_laplace_edges(
+    across2: f32,
+    across: f32,
+    reach: f32,
+    begin: f32,
+    edges: Vec2,
+    ways: Vec2,
+) -> Vec2 {
+    let product = (across + reach) * (across + sqrt(across2 + edges * edges));
+    let sum = product + begin * edges;
     min(sum / product * (sum / max((4.0 * across) * ways, Vec2::splat(1e-28))), Vec2::splat(1e18))
 }
 
@@ -32,9 +38,11 @@ pub fn rect_laplace_extent(receiver: LaplaceReceiver, spot: LaplaceSpot) -> Lapl
     let across = sqrt(across2);
     let low = receiver.extent + spot.at;
     let high = receiver.extent - spot.at;
+    let x = Vec2::new(low.x, high.x);
+    let y = Vec2::new(low.y, high.y);
     LaplaceExtent {
-        x: rect_laplace_edges(across2.x, across.x, spot.reach, spot.offset.x, Vec2::new(low.x, high.x)),
-        y: rect_laplace_edges(across2.y, across.y, spot.reach, spot.offset.y, Vec2::new(low.y, high.y)),
+        x: rect_laplace_edges(across2.x, across.x, spot.reach, spot.offset.x, receiver.edges_x, x),
+        y: rect_laplace_edges(across2.y, across.y, spot.reach, spot.offset.y, receiver.edges_y, y),
         secant: spot.reach / across,
     }
 }
@@ -69,22 +77,23 @@ pub fn rect_laplace_angles(spot: LaplaceSpot, local: LaplaceForm, secant: Vec2, 
     }
 }
 
-/// `∫₀^l (1 + S (2 b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `most = 1 + more` as the lobe falls.
+/// Half of `∫₀^l (1 + S (b x + a x²))^(-3/2) dx`, with `S` sliding from 1 to `most = 1 + more` as the lobe falls.
 #[kernel]
 pub fn rect_laplace_half_width(a: f32, b: f32, reciprocal: f32, most: f32, more: f32) -> f32 {
     let square = reciprocal * reciprocal;
-    let p = 2.0 * b * reciprocal + a;
+    let p = b * reciprocal + a;
     let s = most - more * square / (square + max(p, 0.0));
-    let r = sqrt(square + s * max(p, -0.25 * square));
-    1.0 / (r * max(1.0 + s * b / (reciprocal + r), 0.25))
+    // `b >= -sqrt(a)`, so that `p >= -square/4`; and `s` is 1 where `p` is negative.
+    let r = sqrt(square + s * p);
+    1.0 / (r * (2.0 + s * b / (reciprocal + r)))
 }
 
-/// Both halves.
+/// Half of both halves.
 #[kernel]
 pub fn rect_laplace_width(g: f32, second: f32, reciprocal: Vec2, sharpening: Vec2) -> f32 {
     let a = second * (1.0 / 3.0);
-    let b = g * (1.0 / 3.0);
-    let least = -0.5 * sqrt(a);
+    let b = g * (2.0 / 3.0);
+    let least = -sqrt(a);
     rect_laplace_half_width(a, max(-b, least), reciprocal.x, sharpening.x, sharpening.y)
         + rect_laplace_half_width(a, max(b, least), reciprocal.y, sharpening.x, sharpening.y)
 }
@@ -96,7 +105,7 @@ pub fn rect_laplace_whole(reciprocal: Vec2) -> f32 {
     twice * twice
 }
 
-/// Effective area: the geometric mean of both orders of integration.
+/// A quarter of the effective area: the geometric mean of both orders of integration.
 #[kernel]
 pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {
     let g = angles.gradient;
@@ -111,7 +120,7 @@ pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpenin
     )
 }
 
-/// Effective area: that order alone whose reduced axis shows more of the lobe.
+/// A quarter of the effective area: that order alone whose reduced axis shows more of the lobe.
 #[kernel]
 pub fn rect_laplace_area_fast(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {
     let g = angles.gradient;
