@@ -5,6 +5,7 @@
 
 pub mod cases;
 pub mod domain;
+pub mod figures;
 pub mod judge;
 pub mod measure;
 pub mod operations;
