@@ -25,6 +25,8 @@
 //! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
 
 pub mod asg;
+pub mod brdf;
+pub mod filter;
 pub mod hsg;
 pub mod rect;
 pub mod references;

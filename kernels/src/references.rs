@@ -11,13 +11,46 @@ macro_rules! references {
 }
 
 references! {
+    /// B. Burley, Physically-Based Shading at Disney, SIGGRAPH Courses, 2012.
+    Burley12;
+    /// R. L. Cook, K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics
+    /// 1 (1), 1982.
+    CookTorrance82;
+    /// T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani, R. Villemin, Building an Orthonormal
+    /// Basis, Revisited, Journal of Computer Graphics Techniques 6 (1), 2017.
+    Duff17;
+    /// J. Dupuy, A. Benyoub, Sampling Visible GGX Normals with Spherical Caps, Computer Graphics Forum 42 (8),
+    /// 2023.
+    Dupuy23;
+    /// E. Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, Journal of Computer
+    /// Graphics Techniques 3 (2), 2014.
+    Heitz14;
+    /// E. Heitz, Sampling the GGX Distribution of Visible Normals, Journal of Computer Graphics Techniques 7 (4),
+    /// 2018.
+    Heitz18;
+    /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
+    /// Recommendations, The American Statistician 37 (3), 1983.
+    Chan83;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
     /// ACM Transactions on Graphics 31 (6), 2012.
     Iwasaki12;
+    /// M. Jarzynski, M. Olano, Hash Functions for GPU Rendering, Journal of Computer Graphics Techniques 9 (3), 2020.
+    Jarzynski20;
+    /// M. E. O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number
+    /// Generation, Technical Report HMC-CS-2014-0905, Harvey Mudd College, 2014.
+    ONeill14;
+    /// M. Pharr, W. Jakob, G. Humphreys, Physically Based Rendering, fourth edition, MIT Press, 2023.
+    Pharr23;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
+    /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
+    Schlick94;
+    /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
+    Toksvig05;
+    /// This library: derivations of its own, written down in the documentation of the module that is named.
+    Lobe;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
     /// supplementary document.
     Tokuyoshi22;
@@ -27,9 +60,17 @@ references! {
     /// Y. Tokuyoshi, Fast Indirect Illumination Using Two Virtual Spherical Gaussian Lights, SIGGRAPH Asia
     /// Posters, 2015, and its supplemental material.
     Tokuyoshi15b;
+    /// E. Veach, Robust Monte Carlo Methods for Light Transport Simulation, PhD thesis, Stanford University, 1997.
+    Veach97;
+    /// B. Walter, S. R. Marschner, H. Li, K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces,
+    /// Eurographics Symposium on Rendering, 2007.
+    Walter07;
     /// J. Wang, P. Ren, M. Gong, J. Snyder, B. Guo, All-Frequency Rendering of Dynamic, Spatially-Varying
     /// Reflectance, ACM Transactions on Graphics 28 (5), 2009.
     Wang09;
+    /// B. P. Welford, Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4 (3),
+    /// 1962.
+    Welford62;
     /// K. Xu, W.-L. Sun, Z. Dong, D.-Y. Zhao, R.-D. Wu, S.-M. Hu, Anisotropic Spherical Gaussians, ACM
     /// Transactions on Graphics 32 (6), 2013.
     Xu13;

@@ -4,6 +4,7 @@
 //! [`measure`] writes the worst errors down that the documentation shows.
 
 pub mod cases;
+pub mod cost;
 pub mod domain;
 pub mod figures;
 pub mod judge;

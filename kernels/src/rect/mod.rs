@@ -1,5 +1,13 @@
 //! Interreflection from a glossy rectangle.
 
+pub mod angle;
+pub mod attenuation;
+pub mod disk;
+pub mod energy;
+pub mod laplace;
+pub mod light;
+pub mod peak;
+
 use lobe_codegen::prelude::*;
 
 /// A rectangle that reflects on the side that its normal points to.

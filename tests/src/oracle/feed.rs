@@ -161,12 +161,18 @@ pub(super) fn scale(scale: &Scale, row: &Row, value: f64) -> Result<f64, Unfit> 
 
 /// A quantity by its name; see [`Scale`].
 pub(super) fn quantity(name: &str, row: &Row, value: f64) -> Result<f64, Unfit> {
+    if let Some(path) = name.strip_prefix("df32.") {
+        return magnitude(&row.df32, path);
+    }
     match (name, name.strip_prefix("value.")) {
         ("one", _) => Ok(1.0),
         ("value", _) => Ok(value.abs()),
         ("hemisphere_integral", _) => hemisphere_integral(row),
         (_, Some(path)) => magnitude(&row.value, path),
-        (path, None) => magnitude(&row.args, path),
+        (path, None) => match path.strip_prefix("df32.") {
+            Some(path) => magnitude(&row.df32, path),
+            None => magnitude(&row.args, path),
+        },
     }
 }
 

@@ -11,6 +11,9 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/sg.json"),
     include_str!("../../cases/oracle-map/hsg.json"),
     include_str!("../../cases/oracle-map/asg.json"),
+    include_str!("../../cases/oracle-map/brdf.json"),
+    include_str!("../../cases/oracle-map/filter.json"),
+    include_str!("../../cases/oracle-map/rect_laplace.json"),
 ];
 
 /// A mapping file.
@@ -202,8 +205,12 @@ pub enum Lane {
 
 /// What an error is proportional to: a quantity of the row, or the product of several.
 ///
-/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); an argument's
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); `df32.PATH` (what rounding
+/// the arguments does to it); an argument's
 /// column (of a vector its length, of a list the sum of magnitudes); and `hemisphere_integral`,
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another);
+/// `df32.PATH` (what rounding the arguments does to it); an argument's column (of a vector its length, of a list
+/// the sum of magnitudes); and `hemisphere_integral`,
 /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
 /// All are taken without sign.
 #[derive(Clone, Debug, Deserialize)]

@@ -12,6 +12,7 @@
 
 mod compare;
 mod feed;
+pub mod lists;
 mod mapping;
 mod quantiles;
 pub mod table;
@@ -57,7 +58,7 @@ pub fn judge_kernel(subject: &Subject, mapping: &Mapping, cases: &Cases) -> Vec<
 
 /// Judges the rows of a table by every entry that speaks of them, in f64 and on `routes`.
 ///
-/// `kernel` finds a kernel by its name.
+/// `kernel` finds a kernel by its name; those of [`lists`] need not be among them.
 pub fn judge_table(
     rows: &[Row],
     mapping: &Mapping,
@@ -67,7 +68,8 @@ pub fn judge_table(
     let mut report = TableReport::default();
     let functions: std::collections::BTreeSet<&str> = rows.iter().map(|r| r.function.as_str()).collect();
     for entry in mapping.entries.iter().filter(|e| functions.contains(e.function.as_str())) {
-        let answers = match kernel(&entry.kernel).map(Subject::new) {
+        let found = kernel(&entry.kernel).or_else(|| lists::find(&entry.kernel));
+        let answers = match found.map(Subject::new) {
             Some(Ok(subject)) => judge_entry(&subject, entry, rows, routes),
             Some(Err(error)) => vec![failed(entry, "f64", error.to_string())],
             None => vec![failed(entry, "f64", format!("there is no kernel `{}`", entry.kernel))],

@@ -1,0 +1,173 @@
+//! What depends on the reflector and its light alone, and on the pixel and the rectangle alone.
+
+use crate::rect::Rectangle;
+use lobe_codegen::prelude::*;
+
+/// 2/π².
+#[kernel]
+pub const TWO_OVER_PI_SQUARE: f32 = 0.20264236728467554289;
+
+/// A glossy rectangle under one directional light.
+#[kernel]
+pub struct Reflector {
+    /// Roughness `alpha` of its GGX distribution.
+    #[domain(0.02..=1.0)]
+    pub alpha: f32,
+    /// Value of its reflectance without the distribution.
+    #[domain(0.0..=10.0)]
+    pub reflectance: f32,
+    /// Unit direction to the light.
+    #[domain(unit)]
+    pub light_dir: Vec3,
+    /// Irradiance on a plane that faces the light.
+    #[domain(0.0..=1e3)]
+    pub irradiance: f32,
+}
+
+/// A glossy pixel that sees the rectangle.
+#[kernel]
+pub struct Receiver {
+    /// Where it is.
+    #[domain(-100.0..=100.0)]
+    pub position: Vec3,
+    /// Unit normal.
+    #[domain(unit)]
+    pub normal: Vec3,
+    /// Unit direction to the viewer.
+    #[domain(unit)]
+    pub view_dir: Vec3,
+    /// Roughness `alpha` of its distribution.
+    #[domain(0.02..=1.0)]
+    pub alpha: f32,
+    /// Value of its reflectance without the distribution.
+    #[domain(0.0..=10.0)]
+    pub reflectance: f32,
+}
+
+/// Constants of a distribution of roughness `alpha`.
+#[kernel]
+pub struct Gloss {
+    /// `alpha²`, with `alpha` clamped to 0.002 ..= 0.98.
+    pub square: f32,
+    /// `1 - alpha²`.
+    pub rest: f32,
+}
+
+/// A reflector in the frame of its rectangle: computed once for each rectangle and light.
+#[kernel]
+pub struct LaplaceReflector {
+    /// Unit direction to the light, in the frame.
+    pub light: Vec3,
+    /// Its distribution.
+    pub gloss: Gloss,
+    /// Weight of the light's mirror direction where the search begins.
+    pub pull: f32,
+    /// `alpha²/π²` times the light's cosine.
+    pub peak: f32,
+}
+
+/// A receiver in the frame of a rectangle: computed once for each pixel and rectangle, for any number of
+/// lights.
+#[kernel]
+pub struct LaplaceReceiver {
+    /// The pixel, from the rectangle's middle.
+    pub offset: Vec3,
+    /// Square of its height above the rectangle's plane.
+    pub height2: f32,
+    /// Unit normal.
+    pub facing: Vec3,
+    /// The viewer's direction, mirrored about the normal.
+    pub mirror: Vec3,
+    /// Cosine of the view.
+    pub cosine: f32,
+    /// The viewer's direction along the pixel's surface, by its two tangents.
+    pub view: Vec2,
+    /// Tangents of the pixel's surface, `(xx, xy, facing.x)` and `(xy, yy, facing.y)`: their xx, yy, xy.
+    pub tangents: Vec3,
+    /// `1/(1 - facing.z)`.
+    pub fold: f32,
+    /// Weight of `mirror` where the search begins is the reflector's; that of the light's direction is this.
+    pub pull: f32,
+    /// Its distribution.
+    pub gloss: Gloss,
+    /// Half the rectangle's extents.
+    pub extent: Vec2,
+    /// The corner of the rectangle that is highest above the pixel's horizon.
+    pub corner: Vec2,
+    /// Height of that corner above the horizon plane.
+    pub top: f32,
+}
+
+/// Constants of a distribution.
+#[kernel]
+pub fn rect_laplace_gloss(alpha: f32) -> Gloss {
+    let clamped = clamp(alpha, 2e-3, 0.98);
+    let square = clamped * clamped;
+    Gloss { square, rest: 1.0 - square }
+}
+
+/// The second direction along a rectangle's sides: computed once for each rectangle.
+#[kernel]
+pub fn rect_laplace_bitangent(rectangle: Rectangle) -> Vec3 {
+    cross(rectangle.normal, rectangle.tangent)
+}
+
+/// Components of a vector in the frame of a rectangle.
+#[kernel]
+pub fn rect_laplace_turn(rectangle: Rectangle, bitangent: Vec3, v: Vec3) -> Vec3 {
+    Vec3::new(dot(rectangle.tangent, v), dot(bitangent, v), dot(rectangle.normal, v))
+}
+
+/// What depends on a reflector and its light alone.
+#[kernel]
+pub fn rect_laplace_reflector(
+    rectangle: Rectangle,
+    bitangent: Vec3,
+    reflector: Reflector,
+) -> LaplaceReflector {
+    let light = rect_laplace_turn(rectangle, bitangent, reflector.light_dir);
+    let gloss = rect_laplace_gloss(reflector.alpha);
+    let pull = 0.5 * gloss.square * light.z;
+    LaplaceReflector { light, gloss, pull, peak: TWO_OVER_PI_SQUARE * pull }
+}
+
+/// What depends on a receiver and a rectangle alone.
+#[kernel]
+pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Receiver) -> LaplaceReceiver {
+    let offset = rect_laplace_turn(rectangle, bitangent, receiver.position - rectangle.position);
+    let facing = rect_laplace_turn(rectangle, bitangent, receiver.normal);
+    let view = rect_laplace_turn(rectangle, bitangent, receiver.view_dir);
+    let cosine = dot(receiver.normal, receiver.view_dir);
+    let gloss = rect_laplace_gloss(receiver.alpha);
+    // The mirror image of the frame that takes the third axis to the normal. It degenerates only where the
+    // pixel faces away from the rectangle's plane, and then nothing arrives.
+    let fold = 1.0 / max(1.0 - facing.z, 1e-6);
+    let folded = fold * facing.xy();
+    let tangents = Vec3::new(1.0 - folded.x * facing.x, 1.0 - folded.y * facing.y, -folded.x * facing.y);
+    let corner = Vec2::new(
+        select(-rectangle.half_x, rectangle.half_x, facing.x > 0.0),
+        select(-rectangle.half_y, rectangle.half_y, facing.y > 0.0),
+    );
+    LaplaceReceiver {
+        offset,
+        height2: offset.z * offset.z,
+        facing,
+        mirror: (2.0 * cosine) * facing - view,
+        cosine,
+        view: view.xy() + (view.z - fold * (cosine - facing.z * view.z)) * facing.xy(),
+        tangents,
+        fold,
+        pull: gloss.square * cosine,
+        gloss,
+        extent: Vec2::new(rectangle.half_x, rectangle.half_y),
+        corner,
+        top: facing.x * (corner.x - offset.x) + facing.y * (corner.y - offset.y) - facing.z * offset.z,
+    }
+}
+
+/// Whether nothing can arrive: light, pixel or viewer behind a surface, or the rectangle behind the pixel.
+#[kernel]
+pub fn rect_laplace_is_dark(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> bool {
+    let least = 1e-6 * max(receiver.extent.x, receiver.extent.y);
+    reflector.light.z <= 1e-3 || receiver.cosine <= 1e-3 || receiver.offset.z <= least || receiver.top <= 0.0
+}
