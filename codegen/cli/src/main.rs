@@ -7,6 +7,7 @@ mod doctor;
 mod emit;
 mod eval;
 mod fail;
+mod figures;
 mod list;
 mod measure;
 mod oracle;
@@ -42,6 +43,8 @@ enum Command {
     Oracle(oracle::Args),
     /// Measure the worst errors that the documentation of kernels shows
     Measure(measure::Args),
+    /// Draw the figures of the papers from the kernels
+    Figures(figures::Args),
     /// Say which routes and tools this machine has, and how to get the others
     Doctor(doctor::Args),
 }
@@ -63,6 +66,7 @@ fn run(command: &Command) -> Result<Outcome, Fail> {
         Command::Check(args) => check::run(args),
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
+        Command::Figures(args) => figures::run(args),
         Command::Doctor(args) => doctor::run(args),
     }
 }

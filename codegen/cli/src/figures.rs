@@ -1,0 +1,74 @@
+//! `lobe figures`: the figures of the papers, as SVG and PNG, for light and for dark pages.
+
+use crate::fail::{Fail, Outcome};
+use crate::output;
+use lobe_tests::figures::svg;
+use lobe_tests::figures::theme::Theme;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Pixels of a PNG for each unit of the SVG.
+const SCALE: f32 = 2.0;
+/// The only font: none of the system is asked for.
+const FONT: &str = "Ubuntu";
+
+/// Options.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Folder to write into, made if it is missing
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// Leave the PNG files out
+    #[arg(long)]
+    no_png: bool,
+}
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    let fail = |cause| Fail::Write { path: args.folder.clone(), cause };
+    std::fs::create_dir_all(&args.folder).map_err(fail)?;
+    let painter = Painter::new();
+    for figure in lobe_tests::figures::all()? {
+        for theme in Theme::ALL {
+            let text = svg::render(&figure, theme);
+            let path = args.folder.join(svg::file_name(&figure, theme));
+            write(&path, text.as_bytes())?;
+            if !args.no_png {
+                write(&path.with_extension("png"), &painter.png(&text)?)?;
+            }
+        }
+    }
+    Ok(Outcome::Holds)
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Fail> {
+    output::write_file(path, bytes)?;
+    output::print(&format!("{} ({} bytes)\n", path.display(), bytes.len()))
+}
+
+/// Makes pictures of SVG texts.
+struct Painter(Options<'static>);
+
+impl Painter {
+    fn new() -> Self {
+        let mut options = Options { font_family: FONT.to_owned(), ..Options::default() };
+        let fonts = Arc::make_mut(&mut options.fontdb);
+        fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+        // The weight that is asked for is the regular one; this family has but the light one.
+        fonts.set_sans_serif_family(FONT);
+        Self(options)
+    }
+
+    fn png(&self, svg: &str) -> Result<Vec<u8>, Fail> {
+        let defect = |why: &dyn std::fmt::Display| Fail::Defect(format!("a figure cannot be painted: {why}"));
+        let tree = Tree::from_str(svg, &self.0).map_err(|e| defect(&e))?;
+        let size = tree.size();
+        let pixels = |length: f32| (length * SCALE).ceil() as u32;
+        let mut canvas =
+            Pixmap::new(pixels(size.width()), pixels(size.height())).ok_or_else(|| defect(&"no size"))?;
+        resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut canvas.as_mut());
+        canvas.encode_png().map_err(|e| defect(&e))
+    }
+}
