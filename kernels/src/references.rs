@@ -31,9 +31,6 @@ references! {
     /// E. Heitz, Sampling the GGX Distribution of Visible Normals, Journal of Computer Graphics Techniques 7 (4),
     /// 2018.
     Heitz18;
-    /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
-    /// Recommendations, The American Statistician 37 (3), 1983.
-    Chan83;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -41,6 +38,8 @@ references! {
     Iwasaki12;
     /// M. Jarzynski, M. Olano, Hash Functions for GPU Rendering, Journal of Computer Graphics Techniques 9 (3), 2020.
     Jarzynski20;
+    /// This library: derivations of its own, written down in the documentation of the module that is named.
+    Lobe;
     /// M. E. O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number
     /// Generation, Technical Report HMC-CS-2014-0905, Harvey Mudd College, 2014.
     ONeill14;
@@ -52,17 +51,15 @@ references! {
     Schlick94;
     /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
     Toksvig05;
-    /// This library: derivations of its own, written down in the documentation of the module that is named.
-    Lobe;
-    /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
-    /// supplementary document.
-    Tokuyoshi22;
     /// Y. Tokuyoshi, Virtual Spherical Gaussian Lights for Real-time Glossy Indirect Illumination, Computer
     /// Graphics Forum 34 (7), 2015.
     Tokuyoshi15;
     /// Y. Tokuyoshi, Fast Indirect Illumination Using Two Virtual Spherical Gaussian Lights, SIGGRAPH Asia
     /// Posters, 2015, and its supplemental material.
     Tokuyoshi15b;
+    /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its
+    /// supplementary document.
+    Tokuyoshi22;
     /// E. Veach, Robust Monte Carlo Methods for Light Transport Simulation, PhD thesis, Stanford University, 1997.
     Veach97;
     /// B. Walter, S. R. Marschner, H. Li, K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces,

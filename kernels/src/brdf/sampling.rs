@@ -5,13 +5,10 @@
 
 use super::INVERSE_PI;
 use super::ndf::ggx_ndf_between;
+use crate::hsg::TWO_PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Duff17, Dupuy23, Heitz18, Pharr23, Walter07};
 use lobe_codegen::prelude::*;
-
-/// 2π.
-#[kernel]
-pub const TWO_PI: f32 = 6.283185307179586477;
 
 /// Three unit vectors, perpendicular to each other, right-handed.
 #[kernel]
