@@ -84,6 +84,7 @@
 //! - The choice of the corner in lifting a spot, and in the fast kernels that of the order, are the only jumps.
 //! - No visibility, one directional light.
 
+mod budget;
 mod evaluate;
 mod frame;
 mod integral;
@@ -91,6 +92,7 @@ mod radiance;
 mod search;
 mod width;
 
+pub use budget::*;
 pub use evaluate::*;
 pub use frame::*;
 pub use integral::*;

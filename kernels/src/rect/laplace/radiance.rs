@@ -1,6 +1,9 @@
 //! The radiance that a pixel sends to the viewer.
 
 use crate::rect::Rectangle;
+use crate::rect::laplace::budget::{
+    rect_laplace_ceiling, rect_laplace_difficulty, rect_laplace_fast_jump, rect_laplace_fast_jump_sg,
+};
 use crate::rect::laplace::frame::{
     Receiver, Reflector, rect_laplace_bitangent, rect_laplace_receiver, rect_laplace_reflector,
 };
@@ -12,24 +15,10 @@ use crate::rect::laplace::integral::{
 use crate::references::Lobe;
 use lobe_codegen::prelude::*;
 
-/// π², of the peaks of two distributions.
-#[kernel]
-pub const PI_SQUARE: f32 = 9.8696044010893586188;
-
 /// Irradiance times both reflectances, the factor of the integrals.
 #[kernel]
 pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
     reflector.irradiance * reflector.reflectance * receiver.reflectance
-}
-
-/// What the radiance is measured against: both distributions at their peaks over the rectangle's solid angle, as it
-/// would be seen straight on from the distance of its middle, 2π at most.
-#[kernel]
-pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
-    let way = receiver.position - rectangle.position;
-    let solid_angle = min(4.0 * rectangle.half_x * rectangle.half_y / max(dot(way, way), 1e-9), 6.2831853);
-    let roughness = reflector.alpha * receiver.alpha;
-    rect_laplace_scale(reflector, receiver) * solid_angle / (PI_SQUARE * (roughness * roughness))
 }
 
 /// Radiance that a GGX pixel reflects of a glossy rectangle under one directional light.
@@ -96,8 +85,12 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Rec
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
-    budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the value jumps where the order of integration changes, and at pixels near the rectangle's plane the intervals grow; see the numerics"
+    budget(
+        rect_laplace_difficulty(rectangle, receiver)
+            * (1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver))
+            + 2.0 * rect_laplace_fast_jump(rectangle, reflector, receiver) * result
+            + 1e-30
+    )
 )]
 pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -115,8 +108,12 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: R
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
-    budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the value jumps where the order of integration changes, and at pixels near the rectangle's plane the intervals grow; see the numerics"
+    budget(
+        rect_laplace_difficulty(rectangle, receiver)
+            * (1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver))
+            + 2.0 * rect_laplace_fast_jump_sg(rectangle, reflector, receiver) * result
+            + 1e-30
+    )
 )]
 pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
