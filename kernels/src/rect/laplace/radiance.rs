@@ -39,7 +39,11 @@ pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
 ///
 /// Numerics: the pixel's normal forms of the half vectors have no difference of near values; extents are inverse and
 /// their denominator is of one sign; the edges are exact where the spot is clamped to them. f32 differs from f64
-/// by 3e-7 in the median. NUM1
+/// by 3e-7 in the median. The bound that the intervals give is 1e-4 of the
+/// result in the median of what is lit, 5e-3 for nine in ten, and without limit where rounding errors of the first
+/// evaluation reach the second through the Gauss-Newton step; the budget, 1e-3 of the result and 1e-5 of
+/// [`rect_laplace_ceiling`], is exceeded by 2 in 1000 of the inputs, with f32 itself 0.3 of the budget off in 1 of 1000 of
+/// the lit ones.
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
@@ -59,7 +63,8 @@ pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiv
 /// Source: [Lobe], [`laplace`](crate::rect::laplace). Arguments, domain and result as of [`rect_laplace`]; the pixel's
 /// distribution is `exp(2 (cos - 1)/alpha²)/(π alpha²)`.
 ///
-/// Numerics: as of [`rect_laplace`]. `1 - cos` is written by the tangent, so that it does not cancel. NUM2
+/// Numerics: as of [`rect_laplace`]. `1 - cos` is written by the tangent, so that it does not cancel. As for [`rect_laplace`], 2 in 1000
+/// of the inputs have a bound above the budget.
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
@@ -81,7 +86,9 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Rec
 ///
 /// Within a factor of 1.09 of the integral in the mean, far less accurate for grazing light and for a peak off the rectangle.
 ///
-/// Numerics: the result jumps by up to some percent where the order changes. NUM3
+/// Numerics: the result jumps by up to some percent where the order changes. The budget is, straight on, 8e-3 of the
+/// result and 8e-5 of [`rect_laplace_ceiling`]; the bound itself is 5e-5 of the result in the median, 6e-4 for nine in ten
+/// of what is lit.
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
@@ -104,7 +111,8 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: R
 ///
 /// Source: [Lobe], [`laplace`](crate::rect::laplace). Arguments, domain and result as of [`rect_laplace_sg`].
 ///
-/// Numerics: as of [`rect_laplace_fast`]. NUM4
+/// Numerics: as of [`rect_laplace_fast`]. The bound is 1e-4 of the result in the median, 1e-3 for nine in ten of what is
+/// lit.
 #[kernel(
     family = "rect",
     cite = "[Lobe] rect::laplace",
