@@ -50,7 +50,10 @@ impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { add_mul, div, sqrt, elementary, min_max, choice } = self;
         let total = self.total();
-        write!(f, "{add_mul} +-*, {div} /, {sqrt} sqrt, {elementary} exp, {min_max} min/max, {choice} choices: {total}")
+        write!(
+            f,
+            "{add_mul} +-*, {div} /, {sqrt} sqrt, {elementary} exp, {min_max} min/max, {choice} choices: {total}"
+        )
     }
 }
 

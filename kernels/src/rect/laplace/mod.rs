@@ -47,7 +47,7 @@
 //! |---|---|---|
 //! | rectangle | [`rect_laplace_bitangent`] | 9 |
 //! | rectangle and light | [`rect_laplace_reflector`] | 21 |
-//! | pixel and rectangle | [`rect_laplace_receiver`] | 98 |
+//! | pixel and rectangle | [`rect_laplace_receiver`] | 100 |
 //! | pixel, rectangle and light | [`rect_laplace_integral`] | 703 |
 //! | | [`rect_laplace_integral_sg`] | 712 |
 //! | | [`rect_laplace_fast_integral`] | 417 |
