@@ -47,7 +47,7 @@
 //! |---|---|---|
 //! | rectangle | [`rect_laplace_bitangent`] | 9 |
 //! | rectangle and light | [`rect_laplace_reflector`] | 21 |
-//! | pixel and rectangle | [`rect_laplace_receiver`] | 98 |
+//! | pixel and rectangle | [`rect_laplace_receiver`] | 100 |
 //! | pixel, rectangle and light | [`rect_laplace_integral`] | 703 |
 //! | | [`rect_laplace_integral_sg`] | 712 |
 //! | | [`rect_laplace_fast_integral`] | 417 |
@@ -84,6 +84,7 @@
 //! - The choice of the corner in lifting a spot, and in the fast kernels that of the order, are the only jumps.
 //! - No visibility, one directional light.
 
+mod budget;
 mod evaluate;
 mod frame;
 mod integral;
@@ -91,6 +92,7 @@ mod radiance;
 mod search;
 mod width;
 
+pub use budget::*;
 pub use evaluate::*;
 pub use frame::*;
 pub use integral::*;

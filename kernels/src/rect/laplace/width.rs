@@ -120,6 +120,13 @@ pub fn rect_laplace_area(angles: LaplaceAngles, extent: LaplaceExtent, sharpenin
     )
 }
 
+/// How much of the lobe each axis shows, to be compared.
+#[kernel]
+pub fn rect_laplace_shown(angles: LaplaceAngles, extent: LaplaceExtent) -> Vec2 {
+    let own = angles.second + angles.gradient * angles.gradient;
+    own * Vec2::new(rect_laplace_whole(extent.y), rect_laplace_whole(extent.x))
+}
+
 /// A quarter of the effective area: that order alone whose reduced axis shows more of the lobe.
 #[kernel]
 pub fn rect_laplace_area_fast(angles: LaplaceAngles, extent: LaplaceExtent, sharpening: Vec2) -> f32 {

@@ -1,0 +1,84 @@
+//! Scales that the budgets are stated in. No kernel computes with them.
+
+use crate::rect::Rectangle;
+use crate::rect::laplace::frame::{
+    Receiver, Reflector, rect_laplace_bitangent, rect_laplace_is_dark, rect_laplace_receiver,
+    rect_laplace_reflector,
+};
+use crate::rect::laplace::integral::{rect_laplace_point, rect_laplace_point_sg};
+use crate::rect::laplace::radiance::rect_laplace_scale;
+use crate::rect::laplace::search::{rect_laplace_lift, rect_laplace_start};
+use crate::rect::laplace::width::{rect_laplace_angles, rect_laplace_extent, rect_laplace_shown};
+use lobe_codegen::prelude::*;
+
+/// π², of the peaks of two distributions.
+#[kernel]
+pub const PI_SQUARE: f32 = 9.8696044010893586188;
+
+/// What the radiance is measured against: both distributions at their peaks over the rectangle's solid angle, as it
+/// would be seen straight on from the distance of its middle, 2π at most.
+#[kernel]
+pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let way = receiver.position - rectangle.position;
+    let solid_angle = min(4.0 * rectangle.half_x * rectangle.half_y / max(dot(way, way), 1e-9), 6.2831853);
+    let roughness = reflector.alpha * receiver.alpha;
+    rect_laplace_scale(reflector, receiver) * solid_angle / (PI_SQUARE * (roughness * roughness))
+}
+
+/// How much harder than straight on the rectangle is to see: what multiplies the budget of the fast kernels.
+///
+/// With `g`, distance and larger half extent over the pixel's height above the rectangle's plane,
+/// `8 + g/10 + g²/500`: the height is a difference of positions, of which a grazing pixel leaves few digits. Where the
+/// pixel's normal is within 2e-4 of being perpendicular to a side, `20 + 4 g` more: there the corner that a spot is lifted
+/// to moves from one end of the side to the other.
+#[kernel]
+pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: Receiver) -> f32 {
+    let way = receiver.position - rectangle.position;
+    let height = max(dot(rectangle.normal, way), 1e-9);
+    let g = (length(way) + max(rectangle.half_x, rectangle.half_y)) / height;
+    let x = dot(rectangle.tangent, receiver.normal);
+    let y = dot(rect_laplace_bitangent(rectangle), receiver.normal);
+    8.0 + g * (0.1 + 2e-3 * g) + select(0.0, 20.0 + 4.0 * g, min(abs(x), abs(y)) < 2e-4)
+}
+
+/// 1 where [`rect_laplace_fast`](crate::rect::laplace::rect_laplace_fast) may jump, else 0: where both axes show as
+/// much of the lobe to within 4 %, so that a rounding error decides about the order, and where a cosine is at 1e-3,
+/// below which nothing arrives.
+#[kernel]
+pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    if rect_laplace_is_dark(reflector_in_frame, receiver_in_frame) {
+        return 0.0;
+    }
+    let start =
+        rect_laplace_lift(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame), 0.1);
+    let peak = rect_laplace_point(reflector_in_frame, receiver_in_frame, start);
+    let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let shown = rect_laplace_shown(angles, extent);
+    let is_even = abs(shown.x - shown.y) < 0.02 * (shown.x + shown.y);
+    let least = min(reflector_in_frame.light.z, receiver_in_frame.cosine);
+    select(0.0, 1.0, is_even || least < 1.001e-3)
+}
+
+/// The same of [`rect_laplace_fast_sg`](crate::rect::laplace::rect_laplace_fast_sg).
+#[kernel]
+pub fn rect_laplace_fast_jump_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+    let bitangent = rect_laplace_bitangent(rectangle);
+    let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
+    let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
+    if rect_laplace_is_dark(reflector_in_frame, receiver_in_frame) {
+        return 0.0;
+    }
+    let start =
+        rect_laplace_lift(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame), 0.1);
+    let peak = rect_laplace_point_sg(reflector_in_frame, receiver_in_frame, start);
+    let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
+    let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
+    let shown = rect_laplace_shown(angles, extent);
+    let is_even = abs(shown.x - shown.y) < 0.02 * (shown.x + shown.y);
+    let least = min(reflector_in_frame.light.z, receiver_in_frame.cosine);
+    select(0.0, 1.0, is_even || least < 1.001e-3)
+}
