@@ -19,8 +19,14 @@ fn nearly_square(x: f32) -> f32 {
 }
 
 /// Cancels in f32.
-#[kernel(not_robust = "a difference of near values")]
+#[kernel(variant_of = square, not_robust = "a difference of near values")]
 fn square_the_long_way(x: f32) -> f32 {
+    (x * x + 1e8) - 1e8
+}
+
+/// Cancels in f32, and is nobody's variant.
+#[kernel(not_robust = "a difference of near values")]
+fn the_only_square(x: f32) -> f32 {
     (x * x + 1e8) - 1e8
 }
 
@@ -47,7 +53,7 @@ fn third(z: Vec3, x: Vec3) -> Vec3 {
 }
 
 fn kernel(name: &str) -> Option<FunctionRef> {
-    lobe_codegen::kernels![square, nearly_square, square_the_long_way, cosine, sum_of, third]
+    lobe_codegen::kernels![square, nearly_square, square_the_long_way, the_only_square, cosine, sum_of, third]
         .into_iter()
         .find(|k| k().name == name)
 }
@@ -111,6 +117,7 @@ fn a_form_that_is_not_robust_must_be_right_in_f64_only() {
     let verdicts: Vec<&Verdict> = report.answers.iter().map(|(_, a)| &a.verdict).collect();
     let expected = Verdict::ExpectedFailure("a difference of near values".to_owned());
     assert_eq!(verdicts, [&Verdict::Holds, &expected]);
+    assert_short(&judged(&mapping("the_only_square", r#"{"x": "x"}"#, ""), &[line]), "1 of 1 rows");
     let wrong = r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": 10}"#;
     assert_short(&judged(&mapping("square_the_long_way", r#"{"x": "x"}"#, ""), &[wrong]), "1 of 1 rows");
 }
