@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// Pixels of a PNG for each unit of the SVG.
 const SCALE: f32 = 2.0;
-/// The only font: none of the system is asked for.
+/// The only font: none of the system is asked for, so that the same figure gives the same picture.
 const FONT: &str = "Ubuntu";
 
 /// Options.
