@@ -57,7 +57,8 @@ pub struct Asg {
     family = "asg",
     cite = "[Xu13] eq. 1",
     domain(dir = unit),
-    budget((2e-6 + 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu))) * asg.amplitude + 1e-36)
+    budget((2e-6 + 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu))) * asg.amplitude + 1e-36),
+    measured
 )]
 pub fn asg_eval(dir: Vec3, asg: Asg) -> f32 {
     let chord = dir - asg.z;
@@ -89,7 +90,8 @@ pub fn asg_eval(dir: Vec3, asg: Asg) -> f32 {
         cos_z = -1.0..=1.0, cos_x = -1.0..=1.0, cos_y = -1.0..=1.0,
         lambda = 0.0..=1e6, mu = 0.0..=1e6, amplitude = 0.0..=1e4
     ),
-    budget(1.5e-6 * amplitude + 1e-36)
+    budget(1.5e-6 * amplitude + 1e-36),
+    measured
 )]
 pub fn asg_eval_polar(cos_z: f32, cos_x: f32, cos_y: f32, lambda: f32, mu: f32, amplitude: f32) -> f32 {
     amplitude * max(cos_z, 0.0) * exp(-lambda * (cos_x * cos_x) - mu * (cos_y * cos_y))
@@ -109,7 +111,8 @@ pub fn asg_eval_polar(cos_z: f32, cos_x: f32, cos_y: f32, lambda: f32, mu: f32, 
         lambda = 0.0..=1e6, mu = 0.0..=1e6, amplitude = 0.0..=1e4
     ),
     budget(1.5e-6 * amplitude + 1e-36),
-    variant_of = asg_eval_polar
+    variant_of = asg_eval_polar,
+    measured
 )]
 pub fn asg_eval_polar_paper(cos_z: f32, cos_x: f32, cos_y: f32, lambda: f32, mu: f32, amplitude: f32) -> f32 {
     amplitude * cos_z * exp(-lambda * (cos_x * cos_x) - mu * (cos_y * cos_y))
@@ -124,7 +127,7 @@ pub fn asg_eval_polar_paper(cos_z: f32, cos_x: f32, cos_y: f32, lambda: f32, mu:
 /// Returns the factor, in 0 ..= 1: 1 for a constant lobe, `1/√b` for a sharp one.
 ///
 /// Numerics: the quotient `erf(t)/t` with `t` at least 1e-15, where it is at its limit.
-#[kernel(family = "asg", cite = "[Xu13] section 3", domain(bandwidth = 0.0..=1e6), budget(4e-6 * result))]
+#[kernel(family = "asg", cite = "[Xu13] section 3", domain(bandwidth = 0.0..=1e6), budget(4e-6 * result), measured)]
 pub fn asg_width(bandwidth: f32) -> f32 {
     let t = max(ERF_INVERSE_SLOPE * sqrt(bandwidth), 1e-15);
     ERF_INVERSE_SLOPE * (erf(t) / t)
@@ -148,7 +151,8 @@ pub fn asg_width(bandwidth: f32) -> f32 {
     family = "asg",
     cite = "[Xu13] section 3",
     domain(lambda = 0.0..=1e6, mu = 0.0..=1e6),
-    budget(6e-6 * result)
+    budget(6e-6 * result),
+    measured
 )]
 pub fn asg_integral(lambda: f32, mu: f32) -> f32 {
     PI * (asg_width(lambda) * asg_width(mu))
@@ -170,7 +174,8 @@ pub fn asg_integral(lambda: f32, mu: f32) -> f32 {
     cite = "[RectGlossy] eq. 34",
     domain(lambda = 1e-3..=1e6, mu = 1e-3..=1e6),
     budget(4e-6 * result),
-    variant_of = asg_integral
+    variant_of = asg_integral,
+    measured
 )]
 pub fn asg_integral_paper(lambda: f32, mu: f32) -> f32 {
     // The roots are taken apart, since the product of the bandwidths may overflow.
@@ -201,7 +206,8 @@ pub fn asg_integral_paper(lambda: f32, mu: f32) -> f32 {
         (5e-6 + 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu)) + 1e-6 * abs(sg.log_amplitude))
             * asg.amplitude * exp(sg.log_amplitude)
             * asg_sg_peak(asg.lambda, asg.mu, 0.5 * sg.sharpness) + 1e-23
-    )
+    ),
+    measured
 )]
 pub fn asg_sg_product_integral(asg: Asg, sg: Sg) -> f32 {
     asg_sg_convolved(asg, sg, 0.5 * sg.sharpness)
@@ -222,7 +228,8 @@ pub fn asg_sg_product_integral(asg: Asg, sg: Sg) -> f32 {
             * asg.amplitude * exp(sg.log_amplitude)
             * asg_sg_peak(asg.lambda, asg.mu, sg.sharpness) + 1e-23
     ),
-    variant_of = asg_sg_product_integral
+    variant_of = asg_sg_product_integral,
+    measured
 )]
 pub fn asg_sg_product_integral_paper(asg: Asg, sg: Sg) -> f32 {
     asg_sg_convolved(asg, sg, sg.sharpness)
@@ -242,7 +249,8 @@ pub fn asg_sg_product_integral_paper(asg: Asg, sg: Sg) -> f32 {
     family = "asg",
     cite = "[Xu13] section 3",
     domain(lambda = 0.0..=1e6, mu = 0.0..=1e6, nu = 0.0..=1e6),
-    budget(1.5e-6 * result)
+    budget(1.5e-6 * result),
+    measured
 )]
 pub fn asg_sg_peak(lambda: f32, mu: f32, nu: f32) -> f32 {
     // The floor keeps two constant lobes, for which the form has no value, from giving infinity.
@@ -267,7 +275,8 @@ pub fn asg_sg_peak(lambda: f32, mu: f32, nu: f32) -> f32 {
     budget(
         (5e-6 + 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu)) + 1e-6 * abs(sg.log_amplitude))
             * asg.amplitude * exp(sg.log_amplitude) * asg_sg_peak(asg.lambda, asg.mu, nu) + 1e-23
-    )
+    ),
+    measured
 )]
 pub fn asg_sg_convolved(asg: Asg, sg: Sg, nu: f32) -> f32 {
     let chord = sg.axis - asg.z;
@@ -296,7 +305,8 @@ pub fn asg_sg_convolved(asg: Asg, sg: Sg, nu: f32) -> f32 {
     family = "asg",
     cite = "[RectGlossy] eq. 37",
     domain(asg.amplitude = 1e-10..=1e4),
-    budget(axis = 0.0, sharpness = 3e-6 * result.sharpness + 1e-15, log_amplitude = 1e-6 * abs(result.log_amplitude) + 5e-7)
+    budget(axis = 0.0, sharpness = 3e-6 * result.sharpness + 1e-15, log_amplitude = 1e-6 * abs(result.log_amplitude) + 5e-7),
+    measured
 )]
 pub fn asg_to_sg(asg: Asg) -> Sg {
     Sg {
@@ -317,7 +327,8 @@ pub fn asg_to_sg(asg: Asg) -> Sg {
     cite = "[RectGlossy] eq. 37",
     domain(asg.amplitude = 1e-10..=1e4),
     budget(axis = 0.0, sharpness = 3e-6 * result.sharpness + 1e-30, log_amplitude = 1e-6 * abs(result.log_amplitude) + 5e-7),
-    variant_of = asg_to_sg
+    variant_of = asg_to_sg,
+    measured
 )]
 pub fn asg_to_sg_paper(asg: Asg) -> Sg {
     Sg {

@@ -43,7 +43,7 @@ fn an_emitted_comment_says_what_holds_on_every_machine() {
         let text =
             emit(program.module(), Target::Wgsl, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
         let text = text.content.text().expect("text");
-        assert!(text.contains("/// Permitted error") && text.contains("in strict f32"), "{text}");
+        assert!(text.contains("/// Permitted error") && text.contains("/// Worst error: "), "{text}");
         assert!(!text.contains("lavapipe") && !text.contains("<!--"), "{text}");
     }
 }

@@ -6,12 +6,13 @@ use lobe_tests::figures::svg;
 use lobe_tests::figures::theme::Theme;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Pixels of a PNG for each unit of the SVG.
 const SCALE: f32 = 2.0;
-/// The only font: none of the system is asked for.
+/// The only font: none of the system is asked for, so that the same figure gives the same picture.
 const FONT: &str = "Ubuntu";
 
 /// Options.
@@ -69,6 +70,42 @@ impl Painter {
         let mut canvas =
             Pixmap::new(pixels(size.width()), pixels(size.height())).ok_or_else(|| defect(&"no size"))?;
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut canvas.as_mut());
-        canvas.encode_png().map_err(|e| defect(&e))
+        encode(&canvas).map_err(|e| defect(&e))
     }
+}
+
+type Colour = [u8; 3];
+
+/// As small as it gets: the 256 most frequent colours, which all but few pixels have, and no alpha channel.
+fn encode(canvas: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let pixels: Vec<Colour> = canvas.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]).collect();
+    let mut counts: BTreeMap<Colour, usize> = BTreeMap::new();
+    for pixel in &pixels {
+        *counts.entry(*pixel).or_default() += 1;
+    }
+    let mut palette: Vec<Colour> = counts.keys().copied().collect();
+    palette.sort_by_key(|colour| std::cmp::Reverse(counts[colour]));
+    palette.truncate(256);
+    let indices: BTreeMap<Colour, u8> = counts.keys().map(|c| (*c, nearest(&palette, *c))).collect();
+    let indices: Vec<u8> = pixels.iter().map(|pixel| indices[pixel]).collect();
+
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, canvas.width(), canvas.height());
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_palette(palette.concat());
+    encoder.set_compression(png::Compression::High);
+    encoder.set_filter(png::Filter::NoFilter);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&indices)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// The place of the colour of `palette` that is nearest to `colour`.
+fn nearest(palette: &[Colour], colour: Colour) -> u8 {
+    let distance = |other: &Colour| -> u32 {
+        other.iter().zip(colour).map(|(a, b)| u32::from(a.abs_diff(b)) * u32::from(a.abs_diff(b))).sum()
+    };
+    let best = (0..palette.len()).min_by_key(|i| distance(&palette[*i]));
+    best.unwrap_or(0) as u8
 }

@@ -355,3 +355,23 @@ fn figures_of_a_driver_that_is_not_here_are_kept_and_said_not_to_be_compared() {
     assert_holds(&run(&["--write"]));
     assert_eq!(std::fs::read_to_string(&path).expect("readable"), with);
 }
+
+#[test]
+fn figures_are_the_same_bytes_each_time_and_the_committed_ones() {
+    let folders = [tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder")];
+    for folder in &folders {
+        let said = assert_holds(&lobe(&["figures", &folder.path().display().to_string()]));
+        assert!(said.contains("steepness-dark.png"), "{said}");
+    }
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../kernels/figures");
+    let [first, second] = folders;
+    assert_eq!(names(first.path()), names(&committed));
+    for name in names(first.path()) {
+        let read = |folder: &Path| std::fs::read(folder.join(&name)).expect("readable");
+        assert!(read(first.path()) == read(second.path()), "{name} differs from run to run");
+        // The rasteriser may round differently on another architecture.
+        let is_same_everywhere = name.ends_with(".svg") || cfg!(target_arch = "x86_64");
+        let is_fresh = !is_same_everywhere || read(first.path()) == read(&committed);
+        assert!(is_fresh, "{name} is stale; lobe figures kernels/figures");
+    }
+}

@@ -26,10 +26,10 @@ pub(super) fn figure() -> Result<Figure, DrawError> {
     let printed = difference(clamped_cosine_paper, &printed);
     let (low, high) = range(&approximation);
     let caption = format!(
-        "Left, in 10^{{−4}}: the approximation differs from max(cos θ, 0) by {} to {} (f64). Evaluated as printed, a \
-         (exp(l cos θ) − 1), strict f32 adds an error of up to {}, as much again: the paper's figure 1. Right: the \
-         same on a logarithmic scale. The form of `clamped_cosine`, which does not cancel, adds at most {}. {} cosines; \
-         at each place the largest of {} is drawn.",
+        "[Tokuyoshi22] supplement, figure 1. The approximation differs from max(cos θ, 0) by {} to {} (f64). Evaluated as \
+         printed, a (exp(l cos θ) − 1), rounding in strict f32 adds up to {}, and more on a driver, whose exp may err by \
+         3 ULP. The form of clamped_cosine, which does not cancel, adds at most {}. {} cosines; at each place the largest \
+         of {} is drawn.",
         number(low),
         number(high),
         number(largest(printed.iter().copied()).abs()),

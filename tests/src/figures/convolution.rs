@@ -30,16 +30,17 @@ pub(super) fn figure() -> Result<Figure, DrawError> {
     let axis = Axis::log("bandwidth λ", 0, 4, 1);
     let half = kernels![asg_sg_product_integral][0];
     let all = kernels![asg_sg_product_integral_paper][0];
-    let (half, all) = (curves(&axis, half)?, curves(&axis, all)?);
+    let exact = exact(&axis);
+    let (half, all) = (curves(half, &exact)?, curves(all, &exact)?);
     let on_axis = |curves: &[Vec<Cell>], from: f64| {
         let cells = curves.iter().flatten().filter(|c| c.bandwidth >= from);
         largest(cells.map(|c| c.on_axis - 1.0))
     };
     let tilted = |from: f64| largest(half.iter().flatten().filter(|c| c.bandwidth >= from).map(|c| c.tilted));
     let caption = format!(
-        "Closed form of the integral of an anisotropic lobe, bandwidths λ and λ/4, times a spherical Gaussian of sharpness \
+        "[RectGlossy] figure 7. Closed form of the integral of an anisotropic lobe, bandwidths λ and λ/4, times a spherical Gaussian of sharpness \
          ν, over the exact integral. Eq. 11 takes ν as printed: off by {} on the axis even for λ ≥ 50. By its own eq. 1 \
-         it is ν/2, as in `asg_sg_product_integral`: off by {} for λ ≥ 50, {} for λ ≥ 10. Below: the largest error for lobes \
+         it is ν/2, as in asg_sg_product_integral: off by {} for λ ≥ 50, {} for λ ≥ 10. Below: the largest error for lobes \
          tilted by up to 60° along either tangent, over the exact value on the axis; with ν/2 it is at most {} for λ ≥ 50. \
          Kernels in f64; exact values by quadrature.",
         percent(on_axis(&all, 50.0)),
@@ -55,8 +56,8 @@ pub(super) fn figure() -> Result<Figure, DrawError> {
         legend,
     };
     let ratio = || Axis::linear("closed form / exact", 0.4, 1.6, 0.2);
-    let error = || Axis::log("largest error / peak", -4, 1, 1);
-    let right = Some(Corner::TopRight);
+    let error = || Axis::log("largest error / peak", -5, 1, 1);
+    let (right, left) = (Some(Corner::TopRight), Some(Corner::BottomLeft));
     Ok(Figure {
         name: "convolution",
         title: "Anisotropic times isotropic lobe: ν or ν/2".to_owned(),
@@ -64,7 +65,7 @@ pub(super) fn figure() -> Result<Figure, DrawError> {
             panel("On the axis, ν/2", ratio(), &half, |c| c.on_axis, right),
             panel("On the axis, ν as printed", ratio(), &all, |c| c.on_axis, right),
             panel("Tilted up to 60°, ν/2", error(), &half, |c| c.tilted.max(1e-9), right),
-            panel("Tilted up to 60°, ν as printed", error(), &all, |c| c.tilted.max(1e-9), right),
+            panel("Tilted up to 60°, ν as printed", error(), &all, |c| c.tilted.max(1e-9), left),
         ],
         caption,
     })
@@ -84,19 +85,35 @@ fn series(curves: &[Vec<Cell>], pick: fn(&Cell) -> f64) -> Vec<Series> {
     curves.iter().enumerate().map(one).collect()
 }
 
-fn curves(axis: &Axis, kernel: FunctionRef) -> Result<Vec<Vec<Cell>>, DrawError> {
-    let bandwidths = || axis.values(BANDWIDTHS).map(|b| f64::from(b as f32));
-    SHARPNESSES.iter().map(|nu| bandwidths().map(|b| cell(kernel, b, *nu)).collect()).collect()
+/// The exact integrals of all tilts at one bandwidth and sharpness.
+struct Exact {
+    bandwidth: f64,
+    mu: f64,
+    nu: f64,
+    values: Vec<f64>,
 }
 
-fn cell(kernel: FunctionRef, bandwidth: f64, nu: f64) -> Result<Cell, DrawError> {
-    let mu = f64::from((bandwidth * RATIO) as f32);
+fn exact(axis: &Axis) -> Vec<Vec<Exact>> {
     let axes = directions();
-    let rows: Vec<Vec<f32>> = axes.iter().map(|p| arguments(bandwidth, mu, nu, *p)).collect();
+    let one = |bandwidth: f64, nu: f64| {
+        let mu = f64::from((bandwidth * RATIO) as f32);
+        let values = axes.iter().map(|p| anisotropic(bandwidth, mu, nu, p.map(f64::from))).collect();
+        Exact { bandwidth, mu, nu, values }
+    };
+    let bandwidths = || axis.values(BANDWIDTHS).map(|b| f64::from(b as f32));
+    SHARPNESSES.iter().map(|nu| bandwidths().map(|b| one(b, *nu)).collect()).collect()
+}
+
+fn curves(kernel: FunctionRef, exact: &[Vec<Exact>]) -> Result<Vec<Vec<Cell>>, DrawError> {
+    exact.iter().map(|row| row.iter().map(|exact| cell(kernel, exact)).collect()).collect()
+}
+
+fn cell(kernel: FunctionRef, exact: &Exact) -> Result<Cell, DrawError> {
+    let Exact { bandwidth, mu, nu, ref values } = *exact;
+    let rows: Vec<Vec<f32>> = directions().iter().map(|p| arguments(bandwidth, mu, nu, *p)).collect();
     let found = real(kernel, &rows)?;
-    let exact: Vec<f64> = axes.iter().map(|p| anisotropic(bandwidth, mu, nu, p.map(f64::from))).collect();
-    let errors = found.iter().zip(&exact).map(|(f, e)| (f - e) / exact[0]);
-    Ok(Cell { bandwidth, on_axis: found[0] / exact[0], tilted: largest(errors).abs() })
+    let errors = found.iter().zip(values).map(|(found, exact)| (found - exact) / values[0]);
+    Ok(Cell { bandwidth, on_axis: found[0] / values[0], tilted: largest(errors).abs() })
 }
 
 /// The axes of the isotropic lobe, the one on the anisotropic lobe's first.

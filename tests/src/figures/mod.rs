@@ -8,6 +8,7 @@
 pub mod axis;
 mod clamped_cosine;
 mod convolution;
+mod falloff;
 pub mod plot;
 pub mod quadrature;
 mod steepness;
@@ -29,7 +30,7 @@ pub type DrawError = lobe_backends::executor::ExecError;
 /// # Errors
 /// When a kernel does not run on the interpreter.
 pub fn all() -> Result<Vec<Figure>, DrawError> {
-    Ok(vec![clamped_cosine::figure()?, steepness::figure()?, convolution::figure()?])
+    Ok(vec![clamped_cosine::figure()?, steepness::figure()?, falloff::figure()?, convolution::figure()?])
 }
 
 /// The folder of the committed pictures.

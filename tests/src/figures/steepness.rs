@@ -23,7 +23,7 @@ struct Column {
 /// The figure.
 pub(super) fn figure() -> Result<Figure, DrawError> {
     let axis = Axis::log("sharpness k", -2, 5, 1);
-    let sharpnesses: Vec<f32> = axis.values(57).map(|k| k as f32).collect();
+    let sharpnesses: Vec<f32> = axis.values(113).map(|k| k as f32).collect();
     let columns = columns(&sharpnesses)?;
     let detail = self::columns(&[6.3])?;
     let worst = |pick: fn(&(f64, f64, f64)) -> f64| {
@@ -39,8 +39,8 @@ pub(super) fn figure() -> Result<Figure, DrawError> {
         100.0 * largest(apart)
     };
     let caption = format!(
-        "The fitted steepness t(k) of `hsg_steepness` against the one that fits the exact hemispherical integral best \
-         (least squares over the cosine): off by up to {:.1} %, by {:.1} % for k ≥ 1. The integral of `hsg_integral` \
+        "[Tokuyoshi22] supplement, figure 2. The fitted steepness t(k) of hsg_steepness against the one that fits the exact hemispherical integral best \
+         (least squares over the cosine): off by up to {:.1} %, by {:.1} % for k ≥ 1. The integral of hsg_integral \
          then errs by at most {} of the lobe's integral over the sphere, at k = {:.1}; the best steepness would leave \
          {}: the shape limits, not the fit. Kernels in f64; exact values by quadrature over circles around the axis.",
         off(0.0).abs(),
@@ -108,7 +108,7 @@ fn ratio(c: f64, t: f64) -> f64 {
 
 fn values(axis: &Axis, columns: &[Column]) -> Panel {
     let asymptote = axis.values(2).map(|k| (k, (0.5 * k).sqrt()));
-    let dots = columns.iter().step_by(2).map(|c| (c.sharpness, c.best));
+    let dots = columns.iter().step_by(4).map(|c| (c.sharpness, c.best));
     Panel {
         title: "Steepness".to_owned(),
         x: axis.clone(),
@@ -164,6 +164,6 @@ fn shape(column: &Column) -> Panel {
             Series::new("best steepness", 0, Mark::Dashes(line(|e| e.2))),
             Series::new("fit, hsg_integral", 1, Mark::Line(line(|e| e.1))),
         ],
-        legend: Some(Corner::TopLeft),
+        legend: Some(Corner::BottomLeft),
     }
 }

@@ -173,7 +173,7 @@ impl Writer {
     fn legend(&mut self, panel: &Panel, frame: Frame, corner: Corner) {
         let entries: Vec<&Series> = panel.series.iter().filter(|s| !s.label.is_empty()).collect();
         let longest = entries.iter().map(|s| plain(&s.label).chars().count()).max().unwrap_or(0);
-        let (width, height) = (44.0 + 6.9 * longest as f64, 8.0 + LINE * entries.len() as f64);
+        let (width, height) = (44.0 + 6.4 * longest as f64, 8.0 + LINE * entries.len() as f64);
         let x = match corner {
             Corner::TopLeft | Corner::BottomLeft => frame.x + 8.0,
             Corner::TopRight | Corner::BottomRight => frame.x + frame.width - 8.0 - width,
@@ -270,10 +270,7 @@ fn path(panel: &Panel, frame: Frame, points: &[(f64, f64)]) -> String {
 fn marked(text: &str, size: f64) -> String {
     let mut out = String::new();
     let mut rest = text;
-    while let Some(start) = rest.find(['^', '_']) {
-        let Some((inner, after)) = rest[start + 1..].strip_prefix('{').and_then(|r| r.split_once('}')) else {
-            break;
-        };
+    while let Some((start, inner, after)) = mark(rest) {
         let shift = if rest[start..].starts_with('^') { -0.36 * size } else { 0.22 * size };
         let small = 0.75 * size;
         let (before, inner) = (escape(&rest[..start]), escape(inner));
@@ -283,12 +280,18 @@ fn marked(text: &str, size: f64) -> String {
             -shift
         );
         // The way back holds the text up to the next mark.
-        let next = after.find(['^', '_']).unwrap_or(after.len());
-        let _ =
-            write!(out, "{}</tspan>", if next == 0 { "\u{200b}".to_owned() } else { escape(&after[..next]) });
+        let next = mark(after).map_or(after.len(), |(start, ..)| start);
+        let _ = write!(out, "{}</tspan>", escape(&after[..next]));
         rest = &after[next..];
     }
     out + &escape(rest)
+}
+
+/// The first mark in `text`: where it begins, what is in it, and what follows.
+fn mark(text: &str) -> Option<(usize, &str, &str)> {
+    let start = text.find("^{").into_iter().chain(text.find("_{")).min()?;
+    let (inner, after) = text[start + 2..].split_once('}')?;
+    Some((start, inner, after))
 }
 
 /// Escaped for XML, the marks read as words.
@@ -324,6 +327,7 @@ mod tests {
     #[test]
     fn raised_text_comes_back_to_the_line() {
         assert_eq!(marked("a < b", 10.0), "a &lt; b");
+        assert!(marked("clamped_cosine by 10^{−4}", 10.0).contains(">−4</tspan>"));
         let out = marked("10^{−4} of A_{k}", 10.0);
         assert_eq!(out.matches("<tspan").count(), out.matches("</tspan>").count());
         assert!(out.contains("dy=\"-3.60\"") && out.contains("dy=\"3.60\"> of A</tspan>"), "{out}");
