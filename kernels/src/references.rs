@@ -11,8 +11,8 @@ macro_rules! references {
 }
 
 references! {
-    /// B. Burley, Physically-Based Shading at Disney, SIGGRAPH Courses, 2012.
-    Burley12;
+    /// M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, National Bureau of Standards, 1964.
+    Abramowitz64;
     /// T. F. Chan, G. H. Golub, R. J. LeVeque, Algorithms for Computing the Sample Variance: Analysis and
     /// Recommendations, The American Statistician 37 (3), 1983.
     Chan83;

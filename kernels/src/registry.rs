@@ -139,6 +139,8 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     reference::moments::moments_merge,
     reference::moments::moments_standard_error,
     reference::moments::luminance,
+    reference::light::angle_between,
+    reference::light::spot_irradiance,
     reference::rectangle::rectangle_point,
     reference::rectangle::rectangle_intersect,
     reference::rectangle::rectangle_is_met,

@@ -5,6 +5,7 @@
 use lobe_codegen::glam::{DVec3, UVec3, UVec4, Vec2, Vec3};
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
+use lobe_kernels::reference::light::{angle_between, spot_irradiance};
 use lobe_kernels::reference::moments::{
     Moments, luminance, moments_add, moments_merge, moments_standard_error,
 };
@@ -336,6 +337,28 @@ fn rays_meet_the_points_they_were_aimed_at() {
             );
             let behind = rectangle_intersect(bounce.rectangle, bounce.position, -dir);
             assert!(!rectangle_is_met(behind), "{behind}");
+        }
+    }
+}
+
+#[test]
+fn a_spotlight_falls_off_linearly_in_the_angle() {
+    let mut rng = Rng::new(13, "spot");
+    let direction = |rng: &mut Rng| DVec3::new(rng.normal(), rng.normal(), rng.normal()).normalize();
+    for _ in 0..2000 {
+        let (axis, apart) = (direction(&mut rng), direction(&mut rng));
+        let light = -(axis + apart * 10f64.powf(rng.range(-4.0, 0.5))).normalize();
+        let (outer, blend, dist) = (rng.range(0.02, 1.5), rng.range(0.01, 0.5), rng.range(0.1, 10.0));
+        let (near, far) = (axis.as_vec3(), light.as_vec3());
+        let angle = near.as_dvec3().normalize().cross(-far.as_dvec3().normalize()).length();
+        let angle = angle.atan2(-near.as_dvec3().dot(far.as_dvec3()));
+        let truth = ((outer - angle) / blend).clamp(0.0, 1.0) / (dist * dist);
+        let found = spot_irradiance(near, outer as f32, blend as f32, far, dist as f32);
+        let gap = (f64::from(found) - truth).abs();
+        assert!(gap <= (1e-6 + 1e-6 / blend) / (dist * dist), "{found} against {truth}");
+        if angle < 1.57 {
+            let between = f64::from(angle_between(near, -far));
+            assert!((between - angle).abs() < 3e-7 * angle + 1e-7, "{between} against {angle}");
         }
     }
 }

@@ -81,6 +81,8 @@ const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("moments_merge", "a test of the family holds it against two passes"),
     ("moments_standard_error", "a test of the family holds it against two passes"),
     ("luminance", "a test of the family holds its sum"),
+    ("angle_between", "a test of the family holds it against the arc cosine"),
+    ("spot_irradiance", "a test of the family holds it against its formula"),
     ("rectangle_point", "a test of the family aims rays at it"),
     ("rectangle_intersect", "a test of the family aims rays at points"),
     ("rectangle_is_met", "a test of the family aims rays at points"),

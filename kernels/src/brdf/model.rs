@@ -5,13 +5,13 @@ use super::ndf::ggx_ndf_between;
 use super::visibility::{smith_g2, smith_root, smith_visibility};
 use super::{INVERSE_PI, Material};
 #[allow(unused_imports, reason = "citations link to them")]
-use crate::references::{Burley12, CookTorrance82, RectGlossy, Tokuyoshi15b};
+use crate::references::{CookTorrance82, Pharr23, RectGlossy, Tokuyoshi15b};
 use lobe_codegen::prelude::*;
 
 /// Reflectance of a Lambertian surface.
 ///
 /// `f = albedo/π`
-/// Source: [Burley12] section 5.3, without its own diffuse term.
+/// Source: [Pharr23] section 9.2.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
@@ -20,6 +20,7 @@ use lobe_codegen::prelude::*;
 /// Returns the reflectance in 1/sr. It is not lowered by what the glossy lobe reflects.
 #[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
 #[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * max(max(albedo.x, albedo.y), albedo.z) + 1e-37), measured)]
+#[kernel(family = "brdf", cite = "[Pharr23] section 9.2", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
 pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     INVERSE_PI * albedo
 }

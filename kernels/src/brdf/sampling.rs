@@ -7,7 +7,7 @@ use super::INVERSE_PI;
 use super::ndf::ggx_ndf_between;
 use crate::hsg::TWO_PI;
 #[allow(unused_imports, reason = "citations link to them")]
-use crate::references::{Duff17, Dupuy23, Heitz18, Pharr23, Walter07};
+use crate::references::{Abramowitz64, Duff17, Dupuy23, Heitz18, Pharr23, Walter07};
 use lobe_codegen::prelude::*;
 
 /// Three unit vectors, perpendicular to each other, right-handed.
@@ -50,7 +50,7 @@ pub fn orthonormal_frame(normal: Vec3) -> Frame {
 /// A direction of a frame, in the space of the frame's vectors.
 ///
 /// `d.x x + d.y y + d.z z`
-/// Source: [Pharr23] section 3.2.
+/// Source: [Pharr23] section 3.3.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
@@ -59,6 +59,7 @@ pub fn orthonormal_frame(normal: Vec3) -> Frame {
 ///
 /// Returns the unit direction.
 #[kernel(family = "brdf", cite = "[Pharr23] section 3.2", domain(local = unit), budget(4e-7), measured)]
+#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(local = unit), budget(4e-7))]
 pub fn frame_to_world(frame: Frame, local: Vec3) -> Vec3 {
     local.x * frame.x + local.y * frame.y + local.z * frame.z
 }
@@ -66,7 +67,7 @@ pub fn frame_to_world(frame: Frame, local: Vec3) -> Vec3 {
 /// A direction in a frame.
 ///
 /// `(d·x, d·y, d·z)`
-/// Source: [Pharr23] section 3.2.
+/// Source: [Pharr23] section 3.3.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
@@ -75,6 +76,7 @@ pub fn frame_to_world(frame: Frame, local: Vec3) -> Vec3 {
 ///
 /// Returns the unit direction's components along the frame's vectors.
 #[kernel(family = "brdf", cite = "[Pharr23] section 3.2", domain(world = unit), budget(4e-7), measured)]
+#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(world = unit), budget(4e-7))]
 pub fn frame_to_local(frame: Frame, world: Vec3) -> Vec3 {
     Vec3::new(dot(world, frame.x), dot(world, frame.y), dot(world, frame.z))
 }
@@ -82,7 +84,7 @@ pub fn frame_to_local(frame: Frame, world: Vec3) -> Vec3 {
 /// The sine of an angle of at most a quarter turn.
 ///
 /// `sin 2π t`, by the series up to the 13th power.
-/// Source: the series.
+/// Source: [Abramowitz64] eq. 4.3.65.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
@@ -92,6 +94,7 @@ pub fn frame_to_local(frame: Frame, world: Vec3) -> Vec3 {
 ///
 /// Numerics: the shading languages let `sin` err by 5e-4.
 #[kernel(family = "brdf", cite = "[Pharr23] section A.5", domain(turn = -0.25..=0.25), budget(7e-7 * abs(result) + 1e-37), measured)]
+#[kernel(family = "brdf", cite = "[Abramowitz64] eq. 4.3.65", domain(turn = -0.25..=0.25), budget(7e-7 * abs(result) + 1e-37))]
 pub fn sine_of_turn(turn: f32) -> f32 {
     let x = TWO_PI * turn;
     let q = x * x;

@@ -148,7 +148,7 @@ pub fn one_bounce_cosines(bounce: OneBounce, dir: Vec3) -> f32 {
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `bounce` | the point, the rectangle, the light | alpha 0.02 ..= 1 | 1 |
-/// | `strategy` | which; above 3 counts as 3 | 0 ..= 3 | 1 |
+/// | `strategy` | which; above 3 counts as 2 | 0 ..= 3 | 1 |
 /// | `u` | two uniform numbers | 0 ..= 1 - 2^-24 | 1 |
 ///
 /// Returns a unit direction; with a technique drawn uniformly, its density is [`one_bounce_density`].

@@ -7,14 +7,14 @@ use lobe_codegen::prelude::*;
 /// Hash of one number.
 ///
 /// A step of a linear congruential generator and the permutation RXS-M-XS.
-/// Source: [Jarzynski20] section 4.1 ("pcg"), [ONeill14] section 6.3.4.
+/// Source: [Jarzynski20] "pcg", [ONeill14] section 6.3.4.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `seed` | any number | 32 bits | 1 |
 ///
 /// Returns 32 bits; a permutation of all seeds.
-#[kernel(family = "reference", cite = "[Jarzynski20] section 4.1", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg", domain(seed = 0.0..=4294967295.0), budget(0.0))]
 pub fn pcg_hash(seed: u32) -> u32 {
     let state = seed.wrapping_mul(747796405).wrapping_add(2891336453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277803737);
@@ -23,14 +23,14 @@ pub fn pcg_hash(seed: u32) -> u32 {
 
 /// Hash of three numbers to three.
 ///
-/// Source: [Jarzynski20] listing 16 ("pcg3d").
+/// Source: [Jarzynski20] "pcg3d".
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `seed` | any three numbers | 32 bits each | 1 |
 ///
 /// Returns three times 32 bits; a permutation of all triples.
-#[kernel(family = "reference", cite = "[Jarzynski20] listing 16", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg3d", domain(seed = 0.0..=4294967295.0), budget(0.0))]
 pub fn pcg3d(seed: UVec3) -> UVec3 {
     let mut x = seed.x.wrapping_mul(1664525).wrapping_add(1013904223);
     let mut y = seed.y.wrapping_mul(1664525).wrapping_add(1013904223);
@@ -49,14 +49,14 @@ pub fn pcg3d(seed: UVec3) -> UVec3 {
 
 /// Hash of four numbers to four.
 ///
-/// Source: [Jarzynski20] listing 17 ("pcg4d").
+/// Source: [Jarzynski20] "pcg4d".
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `seed` | any four numbers | 32 bits each | 1 |
 ///
 /// Returns four times 32 bits; a permutation of all quadruples.
-#[kernel(family = "reference", cite = "[Jarzynski20] listing 17", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg4d", domain(seed = 0.0..=4294967295.0), budget(0.0))]
 pub fn pcg4d(seed: UVec4) -> UVec4 {
     let mut x = seed.x.wrapping_mul(1664525).wrapping_add(1013904223);
     let mut y = seed.y.wrapping_mul(1664525).wrapping_add(1013904223);
@@ -95,7 +95,7 @@ pub fn uniform_of_bits(bits: u32) -> f32 {
 /// Two uniform numbers for a place in a sampling plan.
 ///
 /// The first two of [`pcg3d`] of the place.
-/// Source: [Jarzynski20] section 5.
+/// Source: [Jarzynski20] pcg3d.
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
@@ -106,7 +106,7 @@ pub fn uniform_of_bits(bits: u32) -> f32 {
 /// Returns two multiples of 2^-24 in 0 ..= 1 - 2^-24; exact.
 #[kernel(
     family = "reference",
-    cite = "[Jarzynski20] section 5",
+    cite = "[Jarzynski20] pcg3d",
     domain(pixel = 0.0..=4294967295.0, index = 0.0..=4294967295.0, dimension = 0.0..=4294967295.0),
     budget(0.0)
 )]

@@ -20,7 +20,7 @@ use lobe_codegen::prelude::*;
     family = "reference",
     cite = "[Pharr23] section 6.6",
     domain(u = 0.0..=1.0),
-    budget(4e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y))
+    budget(6e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y))
 )]
 pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {
     let across = cross(rectangle.normal, rectangle.tangent);
@@ -48,9 +48,9 @@ pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {
     cite = "[Pharr23] section 6.6",
     domain(origin = -100.0..=100.0, dir = unit),
     budget(
-        x = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_x,
-        y = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_y,
-        z = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) / max(-dot(dir, rectangle.normal), 1e-4)
+        x = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_x + 1e-30,
+        y = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_y + 1e-30,
+        z = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) / max(-dot(dir, rectangle.normal), 1e-4) + 1e-30
     )
 )]
 pub fn rectangle_intersect(rectangle: Rectangle, origin: Vec3, dir: Vec3) -> Vec3 {
@@ -58,7 +58,11 @@ pub fn rectangle_intersect(rectangle: Rectangle, origin: Vec3, dir: Vec3) -> Vec
     let t = dot(from_centre, rectangle.normal) / max(-dot(dir, rectangle.normal), 1e-4);
     let place = from_centre + t * dir;
     let across = cross(rectangle.normal, rectangle.tangent);
-    Vec3::new(dot(place, rectangle.tangent) / rectangle.half_x, dot(place, across) / rectangle.half_y, t)
+    Vec3::new(
+        dot(place, rectangle.tangent) / rectangle.half_x + 1e-30,
+        dot(place, across) / rectangle.half_y + 1e-30,
+        t,
+    )
 }
 
 /// Whether a ray meets a rectangle, by [`rectangle_intersect`].
