@@ -29,3 +29,4 @@ pub mod references;
 pub mod registry;
 pub mod sg;
 pub mod special;
+pub mod vsgl;

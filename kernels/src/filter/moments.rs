@@ -281,8 +281,8 @@ pub fn moments_variance_paper(mean_of_squares: f32, mean: Vec3) -> f32 {
 ///
 /// [Tokuyoshi15b] takes the trace itself for the variance of its isotropic Gaussian, whose normalisation
 /// `1/(2π s²)` means the variance along each axis. With the trace, a disk of VPLs with radius 0.1, 0.3 and 1
-/// times the distance gives 0.969, 0.931 and 0.732 of the light that the VPLs give, with half of it 0.975,
-/// 0.986 and 1.068.
+/// times the distance gives 0.968, 0.930 and 0.731 of the light that the VPLs give, with half of it 0.975,
+/// 0.985 and 1.067.
 #[kernel(family = "filter", cite = "[Tokuyoshi15b] section 2.2", domain(trace = 0.0..=1e8), budget(1e-37))]
 pub fn planar_variance(trace: f32) -> f32 {
     0.5 * trace

@@ -12,6 +12,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/hsg.json"),
     include_str!("../../cases/oracle-map/asg.json"),
     include_str!("../../cases/oracle-map/filter.json"),
+    include_str!("../../cases/oracle-map/vsgl.json"),
 ];
 
 /// A mapping file.
@@ -204,8 +205,9 @@ pub enum Lane {
 /// What an error is proportional to: a quantity of the row, or the product of several.
 ///
 /// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); an argument's
-/// column (of a vector its length, of a list the sum of magnitudes); and `hemisphere_integral`,
-/// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
+/// column (of a vector its length, of a list the sum of magnitudes); `hemisphere_integral`,
+/// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names; and
+/// `vsgl_unoccluded`, `R/π` times the integral of a VSGL's radiance over all directions.
 /// All are taken without sign.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
