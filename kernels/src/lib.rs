@@ -34,3 +34,4 @@ pub mod references;
 pub mod registry;
 pub mod sg;
 pub mod special;
+pub mod vsgl;

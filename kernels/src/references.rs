@@ -31,6 +31,9 @@ references! {
     /// E. Heitz, Sampling the GGX Distribution of Visible Normals, Journal of Computer Graphics Techniques 7 (4),
     /// 2018.
     Heitz18;
+    /// M. Hašan, J. Křivánek, B. Walter, K. Bala, Virtual Spherical Lights for Many-Light Rendering of Glossy
+    /// Scenes, ACM Transactions on Graphics 28 (5), 2009.
+    Hasan09;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -49,6 +52,16 @@ references! {
     RectGlossy;
     /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
     Schlick94;
+    /// A. Keller, Instant Radiosity, SIGGRAPH, 1997.
+    Keller97;
+    /// J. Křivánek, M. Colbert, Real-time Shading with Filtered Importance Sampling, Computer Graphics Forum
+    /// 27 (4), 2008.
+    KrivanekColbert08;
+    /// Rectangle-based Approximation for Rendering Glossy Interreflections.
+    RectGlossy;
+    /// T. Ritschel, E. Eisemann, I. Ha, J. D. K. Kim, H.-P. Seidel, Making Imperfect Shadow Maps View-Adaptive:
+    /// High-Quality Global Illumination in Large Dynamic Scenes, Computer Graphics Forum 30 (8), 2011.
+    Ritschel11;
     /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
     Toksvig05;
     /// Y. Tokuyoshi, Virtual Spherical Gaussian Lights for Real-time Glossy Indirect Illumination, Computer
@@ -74,4 +87,7 @@ references! {
     /// K. Xu, W.-L. Sun, Z. Dong, D.-Y. Zhao, R.-D. Wu, S.-M. Hu, Anisotropic Spherical Gaussians, ACM
     /// Transactions on Graphics 32 (6), 2013.
     Xu13;
+    /// K. Xu, Y.-P. Cao, L.-Q. Ma, Z. Dong, R. Wang, S.-M. Hu, A Practical Algorithm for Rendering Interreflections
+    /// with All-frequency BRDFs, ACM Transactions on Graphics 33 (1), 2014.
+    Xu14;
 }

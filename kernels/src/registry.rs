@@ -2,7 +2,7 @@
 //! test says so.
 
 use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak, shade};
-use crate::{asg, brdf, filter, hsg, reference, sg, special};
+use crate::{asg, brdf, filter, hsg, reference, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -160,4 +160,40 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     shade::rect_shade_light,
     shade::rect_shade_light_unlimited,
     shade::rect_shade_light_paper,
+    vsgl::vsl_cone,
+    vsgl::vsl_cone_paper,
+    vsgl::vsl_window,
+    vsgl::asg_convolved_at,
+    vsgl::product_components,
+    vsgl::asg_sg_sg_budget,
+    vsgl::asg_sg_sg_product_integral,
+    vsgl::vsgl_pair_radiance,
+    vsgl::vpl_transfer,
+    vsgl::vpl_radiance,
+    vsgl::vsl_radiance,
+    vsgl::vsgl_transfer_sharpness,
+    vsgl::vsgl_smoothness,
+    vsgl::vsgl_reduce_bias,
+    vsgl::vsl_radius,
+    vsgl::vsl_mip_level,
+    vsgl::brsm_pdf,
+    vsgl::brsm_texel_pdf,
+    vsgl::brsm_weight,
+    vsgl::vsgl_intensity,
+    vsgl::vsgl_from_moments,
+    vsgl::vsgl_from_moments_paper,
+    vsgl::vsgl_distance2,
+    vsgl::vsgl_variance,
+    vsgl::vsgl_extent_sharpness,
+    vsgl::vsgl_larger,
+    vsgl::vsgl_shift_budget,
+    vsgl::vsgl_region,
+    vsgl::vsgl_incoming,
+    vsgl::vsgl_incoming_paper,
+    vsgl::vsgl_light,
+    vsgl::vsgl_budget,
+    vsgl::vsgl_diffuse,
+    vsgl::vsgl_diffuse_paper,
+    vsgl::vsgl_specular,
+    vsgl::vsgl_specular_axis,
 ];

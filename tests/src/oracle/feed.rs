@@ -168,6 +168,7 @@ pub(super) fn quantity(name: &str, row: &Row, value: f64) -> Result<f64, Unfit> 
         ("one", _) => Ok(1.0),
         ("value", _) => Ok(value.abs()),
         ("hemisphere_integral", _) => hemisphere_integral(row),
+        ("vsgl_unoccluded", _) => vsgl_unoccluded(row),
         (_, Some(path)) => magnitude(&row.value, path),
         (path, None) => match path.strip_prefix("df32.") {
             Some(path) => magnitude(&row.df32, path),
@@ -191,6 +192,28 @@ fn hemisphere_integral(row: &Row) -> Result<f64, Unfit> {
     let mean = if sharpness == 0.0 { 1.0 } else { -(-sharpness).exp_m1() / sharpness };
     let log_amplitude = numbers(&row.args, "log_amplitude").ok().and_then(|v| v.first().copied());
     Ok(std::f64::consts::TAU * mean * log_amplitude.unwrap_or(0.0).exp())
+}
+
+/// What a surface of albedo `R_d` reflects of all the light that a VSGL sends to `p_x`, from whatever side.
+fn vsgl_unoccluded(row: &Row) -> Result<f64, Unfit> {
+    let vector = |path: &str| -> Result<[f64; 3], Unfit> {
+        numbers(&row.args, path)?.try_into().map_err(|_| format!("`{path}` is no vector"))
+    };
+    let number = |path: &str| magnitude(&row.args, path);
+    let (mean, position, axis) = (vector("mean")?, vector("p_x")?, vector("axis")?);
+    let (sharpness, variance) = (number("sharpness")?, number("variance")?);
+    let axis = normalised(&axis);
+    let apart: Vec<f64> = mean.iter().zip(&position).map(|(m, p)| m - p).collect();
+    let d2: f64 = apart.iter().map(|x| x * x).sum();
+    let (extent, towards) = (d2 / variance, normalised(&apart));
+    // k_in - k - D²/σ², by the chord between the region and the reversed emission.
+    let sum2: f64 = towards.iter().zip(&axis).map(|(t, a)| (t - a).powi(2)).sum();
+    let gap2: f64 = towards.iter().zip(&axis).map(|(t, a)| (t + a).powi(2)).sum();
+    let product = ((extent - sharpness).powi(2) + extent * sharpness * sum2).sqrt();
+    let shift = -extent * sharpness * gap2 / (product + extent + sharpness);
+    let mean_value = if product == 0.0 { 2.0 } else { -(-2.0 * product).exp_m1() / product };
+    // R/π · c/(2πσ²) e^shift · 2π (1 - e^(-2k))/k
+    Ok(number("R_d")? * number("c_v")? / (std::f64::consts::PI * variance) * shift.exp() * mean_value)
 }
 
 fn word(scalar: Scalar, value: f64) -> u32 {

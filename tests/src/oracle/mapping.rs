@@ -15,6 +15,7 @@ const STANDARD: &[&str] = &[
     include_str!("../../cases/oracle-map/filter.json"),
     include_str!("../../cases/oracle-map/rect_laplace.json"),
     include_str!("../../cases/oracle-map/rect.json"),
+    include_str!("../../cases/oracle-map/vsgl.json"),
 ];
 
 /// A mapping file.
@@ -213,6 +214,10 @@ pub enum Lane {
 /// `df32.PATH` (what rounding the arguments does to it); an argument's column (of a vector its length, of a list
 /// the sum of magnitudes); and `hemisphere_integral`,
 /// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names.
+/// Quantities are `one`; `value` (of the part that is compared); `value.PATH` (of another); an argument's
+/// column (of a vector its length, of a list the sum of magnitudes); `hemisphere_integral`,
+/// `exp(log_amplitude) · 2π (1 - e^(-sharpness)) / sharpness` out of the columns of these names; and
+/// `vsgl_unoccluded`, `R/π` times the integral of a VSGL's radiance over all directions.
 /// All are taken without sign.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]

@@ -1,0 +1,391 @@
+//! A set of virtual point lights as one light, and the radiance that comes from it.
+
+use crate::filter::{Moments, moments_to_lobe, planar_variance};
+use crate::hsg::TWO_PI;
+#[allow(unused_imports, reason = "citations link to them")]
+use crate::references::{Tokuyoshi15b, Xu14};
+use crate::sg::{Sg, sg_integral, sg_product};
+use lobe_codegen::prelude::*;
+
+/// A virtual spherical-Gaussian light: radiant intensity `intensity G(w; axis, sharpness)`, from positions with
+/// an isotropic Gaussian distribution.
+#[kernel]
+pub struct Vsgl {
+    /// Mean of the positions.
+    #[domain(-1e4..=1e4)]
+    pub mean: Vec3,
+    /// Variance of the positions along one axis.
+    #[domain(0.0..=1e4)]
+    pub variance: f32,
+    /// Unit axis of the emission.
+    #[domain(unit)]
+    pub axis: Vec3,
+    /// Sharpness of the emission.
+    #[domain(0.0..=1e6)]
+    pub sharpness: f32,
+    /// Radiant intensity along the axis.
+    #[domain(0.0..=1e6)]
+    pub intensity: f32,
+}
+
+/// Incoming radiance `(1 + sharpness) density e^log_shift G(w; axis, sharpness)`.
+#[kernel]
+pub struct VsglLight {
+    /// Unit axis, towards the light; shorter where the light faces away.
+    #[domain(unit)]
+    pub axis: Vec3,
+    /// Sharpness; without limit for a point light.
+    #[domain(0.0..=1e6)]
+    pub sharpness: f32,
+    /// Of extent against emission, at most 0.
+    #[domain(-10.0..=0.0)]
+    pub log_shift: f32,
+    /// Radiance at the peak over `1 + sharpness`, before the shift.
+    #[domain(0.0..=1e6)]
+    pub density: f32,
+}
+
+/// Radiant intensity along the axis of a light of a given power.
+///
+/// `c = W/A(k)`, `A` = [`sg_integral`]
+/// Source: [Tokuyoshi15b] section 2.1.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `weight` | sum of power times reflectance, `W` | 0 ..= 1e6 | power |
+/// | `sharpness` | `k` | 0 ..= 1e6 | 1 |
+///
+/// Returns the intensity in power/sr, at least 0.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] section 2.1",
+    domain(weight = 0.0..=1e6, sharpness = 0.0..=1e6),
+    budget(3e-6 * result + 1e-32)
+)]
+pub fn vsgl_intensity(weight: f32, sharpness: f32) -> f32 {
+    weight / max(sg_integral(sharpness), 1e-30)
+}
+
+/// The light that stands for virtual point lights, by their moments.
+///
+/// Source: [Tokuyoshi15b] section 2, with half the trace for the variance ([`planar_variance`]).
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `positions`, `origin` | moments of the positions, and their origin | within 1e4 | length |
+/// | `lobes`, `reference` | moments of the emission lobes, and their reference | spread 1e-7 ..= 1 | 1 |
+///
+/// Returns the light. One each for diffuse and specular reflection; a diffuse lobe counts as a sharpness of 2
+/// about the normal, which has the mean direction of the clamped cosine.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] section 2",
+    domain(
+        origin = -1e4..=1e4, reference = -1.0..=1.0,
+        lobes.mean = -1.0..=1.0, lobes.spread = 1e-7..=1.0
+    ),
+    budget(
+        mean = 2e-7 * length(origin + positions.mean) + 1e-37,
+        variance = 1e-37,
+        axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
+        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
+        intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
+    )
+)]
+pub fn vsgl_from_moments(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
+    let lobe = moments_to_lobe(lobes, reference);
+    Vsgl {
+        mean: origin + positions.mean,
+        variance: planar_variance(positions.spread),
+        axis: lobe.axis,
+        sharpness: lobe.sharpness,
+        intensity: vsgl_intensity(lobes.weight, lobe.sharpness),
+    }
+}
+
+/// The light that stands for virtual point lights, as printed.
+///
+/// The variance is the trace of the covariance. Source: [Tokuyoshi15b] section 2.2. Arguments and domain as of
+/// [`vsgl_from_moments`].
+///
+/// Returns a light that is too large, by √2 in radius, and so too dark from near: of disks of VPLs with radius
+/// 0.1, 0.3 and 1 times the distance it gives 0.968, 0.930 and 0.731 of their light.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] section 2.2",
+    domain(
+        origin = -1e4..=1e4, reference = -1.0..=1.0,
+        lobes.mean = -1.0..=1.0, lobes.spread = 1e-7..=1.0
+    ),
+    budget(
+        mean = 2e-7 * length(origin + positions.mean) + 1e-37,
+        variance = 1e-37,
+        axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
+        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
+        intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
+    ),
+    variant_of = vsgl_from_moments
+)]
+pub fn vsgl_from_moments_paper(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
+    Vsgl { variance: positions.spread, ..vsgl_from_moments(positions, origin, lobes, reference) }
+}
+
+/// Sharpness of the region that a light fills, seen from a point.
+///
+/// `D²/σ²`
+/// Source: [Tokuyoshi15b] eq. 6.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `mean` | mean of the light's positions | within 1e4 | length |
+/// | `variance` | their variance along one axis, `σ²` | 0 ..= 1e4 | length² |
+/// | `position` | of the shading point | within 1e4 | length |
+///
+/// Returns the sharpness, in 0 ..= 1e30.
+///
+/// Numerics: the variance is no less than 1e-30 of the squared distance `D²`, and 1e-26: so a light without
+/// extent has a sharpness.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 6",
+    domain(mean = -1e4..=1e4, variance = 0.0..=1e4, position = -1e4..=1e4),
+    budget(2e-6 * result + 1e-11)
+)]
+pub fn vsgl_extent_sharpness(mean: Vec3, variance: f32, position: Vec3) -> f32 {
+    let d2 = vsgl_distance2(mean, position);
+    d2 / vsgl_variance(variance, d2)
+}
+
+/// Squared distance of a light.
+///
+/// `D²`. Source: the definition.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `mean` | mean of the light's positions | within 1e4 | length |
+/// | `position` | of the shading point | within 1e4 | length |
+///
+/// Returns the square, in length²; a distance below 1e-15 counts as 0, since its square is none that f32 holds.
+#[kernel(
+    family = "vsgl",
+    cite = "definition",
+    domain(mean = -1e4..=1e4, position = -1e4..=1e4),
+    budget(1e-6 * result + 1e-36)
+)]
+pub fn vsgl_distance2(mean: Vec3, position: Vec3) -> f32 {
+    let apart = mean - position;
+    max(dot(apart, apart) - 1e-30, 0.0)
+}
+
+/// Variance of a light's positions, with the floor that keeps a point light's sharpness finite.
+///
+/// `max(σ², 1e-30 D², 1e-26)`. Source: our own.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `variance` | `σ²` | 0 ..= 1e4 | length² |
+/// | `d2` | squared distance of the light, `D²` | 0 ..= 1e9 | length² |
+///
+/// Returns the variance, at least 1e-26.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 6",
+    domain(variance = 0.0..=1e4, d2 = 0.0..=1e9),
+    budget(2e-7 * result)
+)]
+pub fn vsgl_variance(variance: f32, d2: f32) -> f32 {
+    max(variance, max(1e-30 * d2, 1e-26))
+}
+
+/// The larger sharpness of a light: of the region that it fills or of its emission.
+///
+/// What the cancellation of the two is measured by. Source: our own.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
+///
+/// Returns the sharpness, at least 1e-30.
+#[kernel(family = "vsgl", cite = "definition", domain(position = -1e4..=1e4), budget(2e-6 * result + 1e-11))]
+pub fn vsgl_larger(light: Vsgl, position: Vec3) -> f32 {
+    max(max(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness), 1e-30)
+}
+
+/// Error permitted to the exponent that the product of a light's region with its emission leaves.
+///
+/// Source: our own.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
+/// | `shift` | the exponent | -4e6 ..= 0 | 1 |
+///
+/// Returns the error: relative, and that of the axis towards the light, times the smaller sharpness.
+#[kernel(
+    family = "vsgl",
+    cite = "definition",
+    domain(position = -1e4..=1e4, shift = -4e6..=0.0),
+    budget(1e-3 * result)
+)]
+pub fn vsgl_shift_budget(light: Vsgl, position: Vec3, shift: f32) -> f32 {
+    let smaller = min(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness);
+    1e-7 + 9e-6 * abs(shift) + 1.5e-6 * sqrt(abs(shift) * smaller) + 1e-12 * smaller
+}
+
+/// Product of the region that a light fills with its emission, amplitude 1 each.
+///
+/// `G(w; ξ_μ, D²/σ²) G(w; -ξ_v, k)`
+/// Source: [Tokuyoshi15b] eq. 6, 7, by [`sg_product`].
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light` | the light | within 1e4, variance 0 ..= 1e4, sharpness 0 ..= 1e6 | length |
+/// | `position` | of the shading point | within 1e4 | length |
+///
+/// Returns the lobe, its log amplitude at most 0. At the light's own mean the region has sharpness 0.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 6, 7",
+    domain(position = -1e4..=1e4),
+    budget(
+        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        log_amplitude = vsgl_shift_budget(light, position, result.log_amplitude)
+    )
+)]
+pub fn vsgl_region(light: Vsgl, position: Vec3) -> Sg {
+    let d2 = vsgl_distance2(light.mean, position);
+    let region = Sg {
+        axis: (light.mean - position) / max(sqrt(d2), 1e-15),
+        sharpness: d2 / vsgl_variance(light.variance, d2),
+        log_amplitude: 0.0,
+    };
+    sg_product(region, Sg { axis: -light.axis, sharpness: light.sharpness, log_amplitude: 0.0 })
+}
+
+/// Radiance that comes from a light.
+///
+/// `L(w) = c/(2πσ²) G(w; ξ_μ, D²/σ²) G(w; -ξ_v, k) = c_in G(w; ξ_in, k_in)`
+/// Source: [Tokuyoshi15b] eq. 7.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light` | the light | within 1e4, variance 0 ..= 1e4, sharpness 0 ..= 1e6, intensity 0 ..= 1e6 | length |
+/// | `position` | of the shading point | within 1e4 | length |
+///
+/// Returns the lobe; `ln c_in` is its log amplitude, since `c_in` itself goes from 0 to beyond any number.
+/// For a constant emission the integral is `c/D²`. At the mean itself the extent says nothing of the direction,
+/// and the lobe is the emission's, reversed.
+///
+/// Numerics: `k_in - k - D²/σ²` cancels ([`vsgl_incoming_paper`]): it is 0.16 off at an extent sharpness of 1e6,
+/// 14 at 1e8. For shading take [`vsgl_light`], in which a variance of 0 is a point light. An
+/// intensity below 1e-30 counts as that.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 7",
+    domain(position = -1e4..=1e4),
+    budget(
+        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
+    )
+)]
+pub fn vsgl_incoming(light: Vsgl, position: Vec3) -> Sg {
+    let variance = vsgl_variance(light.variance, vsgl_distance2(light.mean, position));
+    let product = vsgl_region(light, position);
+    let peak = max(light.intensity, 1e-30) / (TWO_PI * variance);
+    Sg { log_amplitude: log(peak) + product.log_amplitude, ..product }
+}
+
+/// Radiance that comes from a light, as printed.
+///
+/// `c_in = c/(2πσ²) e^(k_in - k - D²/σ²)`. Source: [Tokuyoshi15b] eq. 7. Arguments, domain and result as of
+/// [`vsgl_incoming`].
+///
+/// Numerics: the exponent is a difference of large numbers; without extent, or at the light's mean, there is no
+/// value.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 7",
+    domain(position = -1e4..=1e4),
+    budget(
+        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
+    ),
+    variant_of = vsgl_incoming,
+    not_robust = "the exponent is a difference of large numbers, and a light without extent divides by 0"
+)]
+pub fn vsgl_incoming_paper(light: Vsgl, position: Vec3) -> Sg {
+    let apart = light.mean - position;
+    let extent = dot(apart, apart) / light.variance;
+    let weighted = extent * normalize(apart) - light.sharpness * light.axis;
+    let sharpness = length(weighted);
+    Sg {
+        axis: weighted / sharpness,
+        sharpness,
+        log_amplitude: log(light.intensity / (TWO_PI * light.variance))
+            + (sharpness - light.sharpness - extent),
+    }
+}
+
+/// Radiance that comes from a light, in a form that has a limit for point lights.
+///
+/// `c_in/(1 + k_in) = c e^shift/(2π (σ² + |D² ξ_μ - σ² k ξ_v|))`
+/// Source: [Tokuyoshi15b] eq. 7, multiplied through by `σ²`.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light` | the light | within 1e4, variance 0 ..= 1e4, sharpness 0 ..= 1e6, intensity 0 ..= 1e6 | length |
+/// | `position` | of the shading point | within 1e4 | length |
+///
+/// Returns the lobe. For a vanishing variance the density is `c/(2π D²)`, and the lobe's integral the point
+/// light's irradiance `c G(-ξ_μ)/D²`.
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15b] eq. 7",
+    domain(position = -1e4..=1e4),
+    budget(
+        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        log_shift = vsgl_shift_budget(light, position, result.log_shift),
+        density = (3e-6 + 6e-6 * vsgl_larger(light, position) / (1.0 + result.sharpness)) * result.density
+            + 1e-37 / vsgl_variance(light.variance, vsgl_distance2(light.mean, position)) + 1e-37
+    )
+)]
+pub fn vsgl_light(light: Vsgl, position: Vec3) -> VsglLight {
+    let variance = vsgl_variance(light.variance, vsgl_distance2(light.mean, position));
+    let product = vsgl_region(light, position);
+    VsglLight {
+        axis: product.axis,
+        sharpness: product.sharpness,
+        log_shift: product.log_amplitude,
+        density: light.intensity / (TWO_PI * (variance * (1.0 + product.sharpness))),
+    }
+}
+
+/// Error permitted to what is computed from a light, relative to the integral of its radiance but for 2π.
+///
+/// Source: our own.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
+/// | `by_axis` | how much the result changes with the axis | 0 ..= 1e5 | 1 |
+///
+/// Returns the error: [`VsglLight::density`] with its shift, times what the rules permit to the exponent and to
+/// the cancellation of extent and emission.
+#[kernel(
+    family = "vsgl",
+    cite = "definition",
+    domain(position = -1e4..=1e4, by_axis = 0.0..=1e5),
+    budget(0.1 * result + 1e-10)
+)]
+pub fn vsgl_budget(light: Vsgl, position: Vec3, by_axis: f32) -> f32 {
+    let incoming = vsgl_light(light, position);
+    let larger = vsgl_larger(light, position);
+    let exponent = vsgl_shift_budget(light, position, incoming.log_shift);
+    let cancelled = 1.5e-5 * larger / (1.0 + incoming.sharpness);
+    let turned = 5e-6 * by_axis * larger / max(incoming.sharpness, 1e-6 * larger);
+    (2e-5 + cancelled + turned + exponent) * (incoming.density * exp(incoming.log_shift))
+}
