@@ -16,6 +16,8 @@ references! {
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
     /// ACM Transactions on Graphics 31 (6), 2012.
     Iwasaki12;
+    /// J. H. Lambert, Photometria sive de mensura et gradibus luminis, colorum et umbrae, 1760.
+    Lambert1760;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
     /// Y. Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, SIGGRAPH Posters, 2022, and its

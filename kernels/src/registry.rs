@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, disk, energy, light, peak, shade};
+use crate::rect::{angle, attenuation, diffuse, disk, energy, light, peak, shade};
 use crate::{asg, hsg, sg, special};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -84,4 +84,9 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     shade::rect_shade_light,
     shade::rect_shade_light_unlimited,
     shade::rect_shade_light_paper,
+    diffuse::rect_diffuse_glossy,
+    diffuse::polygon_edge,
+    diffuse::rect_form_factor_error,
+    diffuse::rect_form_factor,
+    diffuse::rect_diffuse_matt,
 ];
