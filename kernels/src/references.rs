@@ -48,6 +48,8 @@ references! {
     ONeill14;
     /// M. Pharr, W. Jakob, G. Humphreys, Physically Based Rendering, fourth edition, MIT Press, 2023.
     Pharr23;
+    /// J. H. Lambert, Photometria sive de mensura et gradibus luminis, colorum et umbrae, 1760.
+    Lambert1760;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
     /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.

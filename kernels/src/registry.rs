@@ -1,7 +1,7 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, disk, energy, laplace, light, peak, shade};
+use crate::rect::{angle, attenuation, diffuse, disk, energy, laplace, light, peak, shade};
 use crate::{asg, brdf, filter, hsg, reference, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -196,4 +196,9 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     vsgl::vsgl_diffuse_paper,
     vsgl::vsgl_specular,
     vsgl::vsgl_specular_axis,
+    diffuse::rect_diffuse_glossy,
+    diffuse::polygon_edge,
+    diffuse::rect_form_factor_error,
+    diffuse::rect_form_factor,
+    diffuse::rect_diffuse_matt,
 ];

@@ -2,6 +2,7 @@
 
 pub mod angle;
 pub mod attenuation;
+pub mod diffuse;
 pub mod disk;
 pub mod energy;
 pub mod laplace;

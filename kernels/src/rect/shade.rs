@@ -330,15 +330,18 @@ pub fn rect_shade_error(
     let facing = max(dot(receiver.normal, receiver.view), 1e-3);
     let way = length(receiver.position - rectangle.position);
     let nu = 0.5 * shade.sharpness;
-    let wide = max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu);
-    let narrow = max(shade.mu, 1e-3) / (max(shade.mu, 1e-3) + nu);
-    let whole = rect_energy(1.0, reflection.radiance, reflection.attenuation, shade.aperture);
-    let scale =
-        receiver.reflectance / (PI * receiver.alpha * receiver.alpha) * whole * sqrt(wide) * sqrt(narrow);
     let geometry = way / max(shade.height, 1e-7 * way + 1e-30) + 1.0 / cos_sigma;
     let place = (way + shade.dist) / (cos_sigma * radius);
     let relative = 2e-5 + 4e-6 * geometry + 2e-6 * place + 1e-6 * sqrt(nu) + 1e-6 / facing;
-    min(relative, 1.5) * scale
+    // A distance of which few digits are left says little of the disk: it may be as near as can be.
+    let near = geometry > 2e3;
+    let wide = select(max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu), 1.0, near);
+    let narrow = select(max(shade.mu, 1e-3) / (max(shade.mu, 1e-3) + nu), 1.0, near);
+    let aperture = select(shade.aperture, 1.0, near);
+    let whole = rect_energy(1.0, reflection.radiance, reflection.attenuation, aperture);
+    let peak =
+        receiver.reflectance / (PI * receiver.alpha * receiver.alpha) * whole * sqrt(wide) * sqrt(narrow);
+    min(relative, 1.5) * peak
 }
 
 /// The shading of one position by one reflection.
@@ -411,7 +414,9 @@ pub fn rect_shade(
         height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
-        radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result) + 1e-20
+        radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
+            + 1e-7 * (light.irradiance * reflectance / (alpha * alpha))
+                * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
     )
 )]
 pub fn rect_shade_light(
@@ -440,7 +445,9 @@ pub fn rect_shade_light(
         height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
-        radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result) + 1e-20
+        radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
+            + 1e-7 * (light.irradiance * reflectance / (alpha * alpha))
+                * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
     ),
     variant_of = rect_shade_light,
     not_robust = "bandwidths pass zero for a disk of 19.98 times its distance"
@@ -475,7 +482,9 @@ pub fn rect_shade_light_unlimited(
         height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
-        radiance = rect_shade_error(rectangle, rect_reflection_paper(rectangle.normal, alpha, reflectance, light), receiver, radius, result) + 1e-20
+        radiance = rect_shade_error(rectangle, rect_reflection_paper(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
+            + 1e-7 * (light.irradiance * reflectance / (alpha * alpha))
+                * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
     ),
     variant_of = rect_shade_light,
     not_robust = "bandwidths pass zero for a disk of 19.98 times its distance"
