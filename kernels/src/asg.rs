@@ -1,14 +1,11 @@
 //! Anisotropic spherical Gaussians: evaluation, integral, product with an isotropic one.
 
+use crate::constants::PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{RectGlossy, Tokuyoshi15b, Xu13};
 use crate::sg::Sg;
 use crate::special::erf;
 use lobe_codegen::prelude::*;
-
-/// π.
-#[kernel]
-pub const PI: f32 = 3.14159265358979323846;
 
 /// √π/2, the inverse slope of `erf` at 0, and the root of `π/4`.
 #[kernel]

@@ -1,14 +1,11 @@
 //! Spherical Gaussians over a hemisphere, and against the clamped cosine.
 
+use crate::constants::TWO_PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::Tokuyoshi22;
 use crate::sg::{Sg, sg_product_paper};
 use crate::special::{erf, expm1_over_x, expm1_over_x_higham, expm1_over_x_slope};
 use lobe_codegen::prelude::*;
-
-/// 2π, the solid angle of a hemisphere.
-#[kernel]
-pub const TWO_PI: f32 = 6.2831853071795864769;
 
 /// 2/√π, the slope of `erf` at 0.
 #[kernel]

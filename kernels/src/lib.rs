@@ -26,6 +26,7 @@
 
 pub mod asg;
 pub mod brdf;
+pub mod constants;
 pub mod filter;
 pub mod hsg;
 pub mod rect;

@@ -25,15 +25,15 @@ references! {
     /// J. Dupuy, A. Benyoub, Sampling Visible GGX Normals with Spherical Caps, Computer Graphics Forum 42 (8),
     /// 2023.
     Dupuy23;
+    /// M. Hašan, J. Křivánek, B. Walter, K. Bala, Virtual Spherical Lights for Many-Light Rendering of Glossy
+    /// Scenes, ACM Transactions on Graphics 28 (5), 2009.
+    Hasan09;
     /// E. Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, Journal of Computer
     /// Graphics Techniques 3 (2), 2014.
     Heitz14;
     /// E. Heitz, Sampling the GGX Distribution of Visible Normals, Journal of Computer Graphics Techniques 7 (4),
     /// 2018.
     Heitz18;
-    /// M. Hašan, J. Křivánek, B. Walter, K. Bala, Virtual Spherical Lights for Many-Light Rendering of Glossy
-    /// Scenes, ACM Transactions on Graphics 28 (5), 2009.
-    Hasan09;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -41,6 +41,13 @@ references! {
     Iwasaki12;
     /// M. Jarzynski, M. Olano, Hash Functions for GPU Rendering, Journal of Computer Graphics Techniques 9 (3), 2020.
     Jarzynski20;
+    /// A. Keller, Instant Radiosity, SIGGRAPH, 1997.
+    Keller97;
+    /// J. Křivánek, M. Colbert, Real-time Shading with Filtered Importance Sampling, Computer Graphics Forum
+    /// 27 (4), 2008.
+    KrivanekColbert08;
+    /// J. H. Lambert, Photometria sive de mensura et gradibus luminis, colorum et umbrae, 1760.
+    Lambert1760;
     /// This library: derivations of its own, written down in the documentation of the module that is named.
     Lobe;
     /// M. E. O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number
@@ -48,22 +55,13 @@ references! {
     ONeill14;
     /// M. Pharr, W. Jakob, G. Humphreys, Physically Based Rendering, fourth edition, MIT Press, 2023.
     Pharr23;
-    /// J. H. Lambert, Photometria sive de mensura et gradibus luminis, colorum et umbrae, 1760.
-    Lambert1760;
-    /// Rectangle-based Approximation for Rendering Glossy Interreflections.
-    RectGlossy;
-    /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
-    Schlick94;
-    /// A. Keller, Instant Radiosity, SIGGRAPH, 1997.
-    Keller97;
-    /// J. Křivánek, M. Colbert, Real-time Shading with Filtered Importance Sampling, Computer Graphics Forum
-    /// 27 (4), 2008.
-    KrivanekColbert08;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
     /// T. Ritschel, E. Eisemann, I. Ha, J. D. K. Kim, H.-P. Seidel, Making Imperfect Shadow Maps View-Adaptive:
     /// High-Quality Global Illumination in Large Dynamic Scenes, Computer Graphics Forum 30 (8), 2011.
     Ritschel11;
+    /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
+    Schlick94;
     /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.
     Toksvig05;
     /// Y. Tokuyoshi, Virtual Spherical Gaussian Lights for Real-time Glossy Indirect Illumination, Computer

@@ -1,13 +1,10 @@
 //! Spherical Gaussians: evaluation, integral, product.
 
+use crate::constants::FOUR_PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Iwasaki12, Tokuyoshi22, Wang09};
 use crate::special::expm1_over_x;
 use lobe_codegen::prelude::*;
-
-/// 4π, the solid angle of the sphere.
-#[kernel]
-pub const FOUR_PI: f32 = 12.566370614359172954;
 
 /// A spherical Gaussian `G(w) = exp(log_amplitude + sharpness (w·axis - 1))`.
 #[kernel]

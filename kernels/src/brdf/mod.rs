@@ -13,10 +13,6 @@ pub mod visibility;
 
 use lobe_codegen::prelude::*;
 
-/// 1/π.
-#[kernel]
-pub const INVERSE_PI: f32 = 0.31830988618379067154;
-
 /// A diffuse and a glossy lobe over each other, linear RGB.
 #[kernel]
 pub struct Material {

@@ -1,9 +1,10 @@
 //! The model: a Lambertian lobe and a glossy one of GGX facets, split into the distribution and the rest.
 
+use super::Material;
 use super::fresnel::fresnel_schlick_between;
 use super::ndf::ggx_ndf_between;
 use super::visibility::{smith_g2, smith_root, smith_visibility};
-use super::{INVERSE_PI, Material};
+use crate::constants::INVERSE_PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{CookTorrance82, Pharr23, RectGlossy, Tokuyoshi15b};
 use lobe_codegen::prelude::*;
@@ -18,8 +19,6 @@ use lobe_codegen::prelude::*;
 /// | `albedo` | share of the light that is reflected, linear RGB | 0 ..= 1 | 1 |
 ///
 /// Returns the reflectance in 1/sr. It is not lowered by what the glossy lobe reflects.
-#[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
-#[kernel(family = "brdf", cite = "[Burley12] section 5.3", domain(albedo = 0.0..=1.0), budget(1e-7 * max(max(albedo.x, albedo.y), albedo.z) + 1e-37), measured)]
 #[kernel(family = "brdf", cite = "[Pharr23] section 9.2", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
 pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     INVERSE_PI * albedo
@@ -48,9 +47,6 @@ pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
         (4e-6 + 1.5e-6 * smith_visibility(dot(normal, light), dot(normal, view), alpha))
             * smith_visibility(dot(normal, light), dot(normal, view), alpha) * max(largest(f0), f90) + 1e-30
     )
-            * smith_visibility(dot(normal, light), dot(normal, view), alpha) * max(max(max(f0.x, f0.y), f0.z), f90) + 1e-30
-    ),
-    measured
 )]
 pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     fresnel_schlick_between(f0, f90, light, view)
@@ -79,8 +75,6 @@ pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, v
     cite = "[Tokuyoshi15b] section 1.1",
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, alpha = 0.02..=1.0, normal = unit, light = unit, view = unit),
     budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(largest(f0), f90) / (alpha * alpha * alpha) + 1e-33)
-    budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(max(max(f0.x, f0.y), f0.z), f90) / (alpha * alpha * alpha) + 1e-33),
-    measured
 )]
 pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_v = max(dot(normal, view), 1e-4);
@@ -117,9 +111,6 @@ pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, ligh
             * smith_visibility(dot(normal, light), dot(normal, view), alpha)
             * ggx_ndf_between(normal, light, view, alpha) * max(largest(f0), f90) + 1e-30
     )
-            * ggx_ndf_between(normal, light, view, alpha) * max(max(max(f0.x, f0.y), f0.z), f90) + 1e-30
-    ),
-    measured
 )]
 pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_l = dot(normal, light);
@@ -148,10 +139,6 @@ pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3
     budget(
         surface_error(material, normal, light, view)
     )
-        4e-7 + (1e-6 + 2e-6 / material.alpha) * ggx_ndf_between(normal, light, view, material.alpha)
-            * max(max(max(material.f0.x, material.f0.y), material.f0.z), material.f90)
-    ),
-    measured
 )]
 pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_l = dot(normal, light);
@@ -182,10 +169,6 @@ pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec
     budget(
         surface_error(material, normal, light, view) / max(dot(normal, view), 1e-4)
     )
-        (4e-7 + (1e-6 + 2e-6 / material.alpha) * ggx_ndf_between(normal, light, view, material.alpha)
-            * max(max(max(material.f0.x, material.f0.y), material.f0.z), material.f90)) / max(dot(normal, view), 1e-4)
-    ),
-    measured
 )]
 pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     surface_transfer(material, normal, light, view) / max(dot(normal, view), 1e-4)
@@ -214,8 +197,7 @@ pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: 
             * ggx_ndf_between(normal, light, view, material.alpha)
             * max(largest(material.f0), material.f90)
             + 2e-7 + select(0.0, 0.4, min(dot(normal, light), dot(normal, view)) < 1e-6)
-    ),
-    measured
+    )
 )]
 pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let is_seen = dot(normal, light) > 0.0 && dot(normal, view) > 0.0;

@@ -28,7 +28,7 @@ pub struct Moments {
 /// Source: the definition.
 ///
 /// Returns moments of weight 0.
-#[kernel(family = "filter", cite = "definition", budget(0.0), measured)]
+#[kernel(family = "filter", cite = "definition", budget(0.0))]
 pub fn moments_empty() -> Moments {
     Moments { weight: 0.0, mean: Vec3::new(0.0, 0.0, 0.0), spread: 0.0 }
 }
@@ -52,8 +52,7 @@ pub fn moments_empty() -> Moments {
     family = "filter",
     cite = "[Tokuyoshi15b] section 2.2",
     domain(position = -1e4..=1e4, weight = 0.0..=1e6, origin = -1e4..=1e4),
-    budget(weight = 1e-37, mean = 2e-7 * length(position - origin) + 1e-37, spread = 0.0),
-    measured
+    budget(weight = 1e-37, mean = 2e-7 * length(position - origin) + 1e-37, spread = 0.0)
 )]
 pub fn moments_of_position(position: Vec3, weight: f32, origin: Vec3) -> Moments {
     Moments { weight, mean: position - origin, spread: 0.0 }
@@ -85,8 +84,7 @@ pub fn moments_of_position(position: Vec3, weight: f32, origin: Vec3) -> Moments
         weight = 1e-37,
         mean = 8e-7 * (toksvig_length_paper(sharpness) * length(axis - reference) + toksvig_spread(sharpness) * length(reference)) + 1e-37,
         spread = 1.2e-6 * result.spread
-    ),
-    measured
+    )
 )]
 pub fn moments_of_lobe(axis: Vec3, sharpness: f32, weight: f32, reference: Vec3) -> Moments {
     let u = toksvig_spread(sharpness);
@@ -117,8 +115,7 @@ pub fn moments_of_lobe(axis: Vec3, sharpness: f32, weight: f32, reference: Vec3)
         mean = 7e-7 * (a.weight * length(a.mean) + b.weight * length(b.mean)) / max(a.weight + b.weight, 1e-20)
             + 1e-17 * (length(a.mean) + length(b.mean)) + 1e-37,
         spread = 1.8e-6 * result.spread + 1e-17 * (a.spread + b.spread + dot(a.mean - b.mean, a.mean - b.mean)) + 1e-37
-    ),
-    measured
+    )
 )]
 pub fn moments_merge(a: Moments, b: Moments) -> Moments {
     let weight = a.weight + b.weight;
@@ -158,8 +155,7 @@ pub fn moments_merge(a: Moments, b: Moments) -> Moments {
         spread = 3e-6 * result.spread + 3e-6 * sqrt(result.spread) * moments_distance4(a, b, c, d)
             + 3e-12 * moments_distance4(a, b, c, d) * moments_distance4(a, b, c, d)
             + 1e-16 * (a.spread + b.spread + c.spread + d.spread) + 1e-37
-    ),
-    measured
+    )
 )]
 pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments {
     moments_merge(moments_merge(a, b), moments_merge(c, d))
@@ -174,7 +170,7 @@ pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments
 /// | `a`, `b`, `c`, `d` | moments about the same origin or reference | weight 0 ..= 1e6 | as of the moments |
 ///
 /// Returns the distance, at least 0; 0 for empty sets.
-#[kernel(family = "filter", cite = "definition", budget(3e-6 * result + 1e-5), measured)]
+#[kernel(family = "filter", cite = "definition", budget(3e-6 * result + 1e-5))]
 pub fn moments_distance4(a: Moments, b: Moments, c: Moments, d: Moments) -> f32 {
     let total = max(a.weight + b.weight + c.weight + d.weight, 1e-20);
     let ab = a.weight / total * dot(a.mean, a.mean) + b.weight / total * dot(b.mean, b.mean);
@@ -206,8 +202,7 @@ pub fn moments_distance4(a: Moments, b: Moments, c: Moments, d: Moments) -> f32 
         axis = 1e-6 + 1e-6 / max(length(reference + moments.mean), 1e-6),
         sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(moments.spread, 1e-12)),
         log_amplitude = 0.0
-    ),
-    measured
+    )
 )]
 pub fn moments_to_lobe(moments: Moments, reference: Vec3) -> Sg {
     // Fades to nothing as the weight does, below what `moments_merge` can tell from 0.
@@ -242,8 +237,7 @@ pub fn moments_to_lobe(moments: Moments, reference: Vec3) -> Sg {
         log_amplitude = 0.0
     ),
     variant_of = moments_to_lobe,
-    not_robust = "1 - |m| cancels for sharp lobes",
-    measured
+    not_robust = "1 - |m| cancels for sharp lobes"
 )]
 pub fn moments_to_lobe_paper(mean: Vec3) -> Sg {
     let len = length(mean);
@@ -268,8 +262,7 @@ pub fn moments_to_lobe_paper(mean: Vec3) -> Sg {
     domain(mean_of_squares = 0.0..=3e8, mean = -1e4..=1e4),
     budget(2e-6 * abs(result) + 1e-30),
     variant_of = moments_merge,
-    not_robust = "a difference of near values, far from the origin",
-    measured
+    not_robust = "a difference of near values, far from the origin"
 )]
 pub fn moments_variance_paper(mean_of_squares: f32, mean: Vec3) -> f32 {
     mean_of_squares - dot(mean, mean)
@@ -288,9 +281,6 @@ pub fn moments_variance_paper(mean_of_squares: f32, mean: Vec3) -> f32 {
 ///
 /// [Tokuyoshi15b] takes the trace itself for the variance of its isotropic Gaussian, whose normalisation
 /// `1/(2π s²)` means the variance along each axis. With the trace, a disk of VPLs with radius 0.1, 0.3 and 1
-/// times the distance gives 0.969, 0.931 and 0.732 of the light that the VPLs give, with half of it 0.975,
-/// 0.986 and 1.068.
-#[kernel(family = "filter", cite = "[Tokuyoshi15b] section 2.2", domain(trace = 0.0..=1e8), budget(1e-37), measured)]
 /// times the distance gives 0.968, 0.930 and 0.731 of the light that the VPLs give, with half of it 0.975,
 /// 0.985 and 1.067.
 #[kernel(family = "filter", cite = "[Tokuyoshi15b] section 2.2", domain(trace = 0.0..=1e8), budget(1e-37))]

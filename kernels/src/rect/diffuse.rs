@@ -1,6 +1,6 @@
 //! Diffuse light: of a glossy rectangle on a matt surface, and of a matt rectangle.
 
-use crate::asg::PI;
+use crate::constants::PI;
 use crate::hsg::hsg_cosine_product_integral;
 use crate::rect::Rectangle;
 use crate::rect::angle::angle_over_sine;

@@ -1,6 +1,7 @@
 //! Shading: what a rectangle reflects of a distant light, and a glossy surface of that.
 
-use crate::asg::{PI, asg_sg_peak};
+use crate::asg::asg_sg_peak;
+use crate::constants::PI;
 use crate::rect::Rectangle;
 use crate::rect::attenuation::rect_attenuation;
 #[allow(unused_imports, reason = "the documentation links to it")]

@@ -1,9 +1,9 @@
 //! The cone that a spherical light fills.
 
-use crate::hsg::TWO_PI;
+use crate::constants::{FOUR_PI, TWO_PI};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Hasan09, Tokuyoshi15, Xu14};
-use crate::sg::{FOUR_PI, Sg};
+use crate::sg::Sg;
 use lobe_codegen::prelude::*;
 
 /// ln 2.

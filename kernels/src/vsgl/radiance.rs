@@ -1,7 +1,7 @@
 //! A set of virtual point lights as one light, and the radiance that comes from it.
 
+use crate::constants::TWO_PI;
 use crate::filter::{Moments, moments_to_lobe, planar_variance};
-use crate::hsg::TWO_PI;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Tokuyoshi15b, Xu14};
 use crate::sg::{Sg, sg_integral, sg_product};

@@ -1,6 +1,6 @@
 //! The geometric part of the interreflection, for each pixel, rectangle and light.
 
-use crate::hsg::TWO_PI;
+use crate::constants::TWO_PI;
 use crate::rect::laplace::evaluate::{
     LaplaceForm, LaplaceSpot, rect_laplace_fall, rect_laplace_fall_sg, rect_laplace_form,
     rect_laplace_receiver_slope, rect_laplace_reflector_slope, rect_laplace_spot,

@@ -48,8 +48,7 @@ pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
     family = "rect",
     cite = "[Lobe] rect::laplace",
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics",
-    measured
+    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
 )]
 pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -70,8 +69,7 @@ pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiv
     family = "rect",
     cite = "[Lobe] rect::laplace",
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics",
-    measured
+    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
 )]
 pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -100,9 +98,6 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Rec
             + 2.0 * rect_laplace_fast_jump(rectangle, reflector, receiver) * result
             + 1e-30
     )
-    budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the value jumps where the order of integration changes, and at pixels near the rectangle's plane the intervals grow; see the numerics",
-    measured
 )]
 pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -127,9 +122,6 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: R
             + 2.0 * rect_laplace_fast_jump_sg(rectangle, reflector, receiver) * result
             + 1e-30
     )
-    budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the value jumps where the order of integration changes, and at pixels near the rectangle's plane the intervals grow; see the numerics",
-    measured
 )]
 pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
