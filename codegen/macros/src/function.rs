@@ -321,6 +321,7 @@ impl Function<'_> {
             text: #text,
             function: || {
                 #[allow(unused_variables, reason = "a budget need not depend on every argument")]
+                #[allow(clippy::too_many_arguments, reason = "those of the kernel, and its result")]
                 fn budget(#(#names: #tys),*) -> f32 { #value }
                 static DEF: ::lobe_codegen::def::FunctionDef = #definition;
                 &DEF
