@@ -489,7 +489,7 @@ fn chi_square(samples: &[Vec3], total: usize, pdf: impl Fn(Vec3) -> f64) -> f64 
 fn samples_follow_their_densities() {
     let seed = seed();
     let mut rng = Rng::new(seed, "densities");
-    let n = 40_000;
+    let n = 120_000;
     let flat: Vec<Vec3> = (0..n).map(|_| cosine_sample_hemisphere(pair(&mut rng))).collect();
     let off = chi_square(&flat, n, |l| f64::from(cosine_hemisphere_pdf(l.z)));
     assert!(off < 6.0, "seed {seed}: cosine, {off} standard deviations");

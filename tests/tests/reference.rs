@@ -1,4 +1,4 @@
-//! The ground truth by sampling: its random numbers, its moments, and its radiance against independent values.
+//! The ground truth by sampling: its random numbers, its mean and error, and its radiance against independent values.
 //!
 //! Seeds are fixed where noise is judged by its own standard error, so that a run can be repeated.
 
@@ -6,15 +6,15 @@ use lobe_codegen::glam::{DVec3, UVec3, UVec4, Vec2, Vec3};
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::reference::light::{angle_between, spot_irradiance};
-use lobe_kernels::reference::moments::{
-    Moments, luminance, moments_add, moments_merge, moments_standard_error,
-};
 use lobe_kernels::reference::one_bounce::{
     OneBounce, one_bounce_area_integrand, one_bounce_density, one_bounce_estimate, one_bounce_ndf_transfer,
     one_bounce_sample, one_bounce_transfer,
 };
 use lobe_kernels::reference::random::{pcg_hash, pcg3d, pcg4d, random_pair, uniform_of_bits};
 use lobe_kernels::reference::rectangle::{rectangle_intersect, rectangle_is_met, rectangle_point};
+use lobe_kernels::reference::running_mean::{
+    RunningMean, luminance, running_mean_add, running_mean_merge, running_mean_standard_error,
+};
 use lobe_tests::domain::Rng;
 
 /// A receiver, a rectangle and a directional light; the radiance for an irradiance of 1 and reflectances that are
@@ -155,7 +155,7 @@ const ROWS: [Row; 10] = [
     },
 ];
 
-const NOTHING: Moments = Moments { count: 0, mean: 0.0, squares: 0.0 };
+const NOTHING: RunningMean = RunningMean { count: 0, mean: 0.0, squares: 0.0 };
 
 fn vec3(v: [f64; 3]) -> Vec3 {
     DVec3::from(v).as_vec3()
@@ -185,7 +185,7 @@ impl Row {
     }
 }
 
-/// Moments of `n` contributions `f(direction, distance)`, 0 where the rectangle is missed, a strategy of `strategies`
+/// RunningMean of `n` contributions `f(direction, distance)`, 0 where the rectangle is missed, a strategy of `strategies`
 /// drawn for each.
 fn sampled(
     bounce: OneBounce,
@@ -193,17 +193,17 @@ fn sampled(
     n: u32,
     strategies: &[u32],
     f: impl Fn(Vec3, f32) -> f32,
-) -> Moments {
-    (0..n).fold(NOTHING, |moments, index| {
+) -> RunningMean {
+    (0..n).fold(NOTHING, |running, index| {
         let pick = (random_pair(pixel, index, 0).x * strategies.len() as f32) as usize;
         let dir = one_bounce_sample(bounce, strategies[pick], random_pair(pixel, index, 1));
         let meeting = rectangle_intersect(bounce.rectangle, bounce.position, dir);
-        moments_add(moments, if rectangle_is_met(meeting) { f(dir, meeting.z) } else { 0.0 })
+        running_mean_add(running, if rectangle_is_met(meeting) { f(dir, meeting.z) } else { 0.0 })
     })
 }
 
-fn judged(moments: Moments, truth: f64, what: &str) {
-    let (mean, error) = (f64::from(moments.mean), f64::from(moments_standard_error(moments)));
+fn judged(running: RunningMean, truth: f64, what: &str) {
+    let (mean, error) = (f64::from(running.mean), f64::from(running_mean_standard_error(running)));
     let off = (mean - truth) / error;
     println!("{what}: {mean} ± {error}, truth {truth}: {off} standard errors");
     // Beside the noise, what f32 does to a sum of a million numbers.
@@ -217,8 +217,8 @@ fn estimates_agree_with_quadrature() {
         let bounce = row.bounce();
         let contribution =
             |dir, dist| one_bounce_ndf_transfer(bounce, dir) / one_bounce_density(bounce, dir, dist);
-        let moments = sampled(bounce, index as u32, 200_000, &[0, 1, 2, 3], contribution);
-        judged(moments, row.radiance, &format!("row {index}"));
+        let running = sampled(bounce, index as u32, 200_000, &[0, 1, 2, 3], contribution);
+        judged(running, row.radiance, &format!("row {index}"));
     }
 }
 
@@ -273,8 +273,8 @@ fn whole_surfaces_agree_with_quadrature_of_the_printed_formulas() {
         let bounce = coloured(index);
         let truth = by_area(bounce, 700).as_vec3();
         let contribution = |dir, dist| luminance(one_bounce_estimate(bounce, dir, dist));
-        let moments = sampled(bounce, 100 + index as u32, 100_000, &[0, 1, 2, 3], contribution);
-        judged(moments, luminance(truth).into(), &format!("surfaces of row {index}"));
+        let running = sampled(bounce, 100 + index as u32, 100_000, &[0, 1, 2, 3], contribution);
+        judged(running, luminance(truth).into(), &format!("surfaces of row {index}"));
     }
 }
 
@@ -282,9 +282,9 @@ fn whole_surfaces_agree_with_quadrature_of_the_printed_formulas() {
 fn one_strategy_alone_agrees_with_all() {
     let bounce = coloured(8);
     let area = 4.0 * bounce.rectangle.half_x * bounce.rectangle.half_y;
-    let uniform = (0..100_000).fold(NOTHING, |moments, index| {
+    let uniform = (0..100_000).fold(NOTHING, |running, index| {
         let place = rectangle_point(bounce.rectangle, random_pair(7, index, 5));
-        moments_add(moments, area * luminance(one_bounce_area_integrand(bounce, place)))
+        running_mean_add(running, area * luminance(one_bounce_area_integrand(bounce, place)))
     });
     let by_area = sampled(bounce, 8, 100_000, &[0], |dir, dist| {
         luminance(one_bounce_transfer(bounce, dir)) * area / (dist * dist)
@@ -436,17 +436,17 @@ fn uniform_numbers_are_below_one_and_evenly_spread() {
 }
 
 #[test]
-fn moments_are_those_of_two_passes() {
-    let mut rng = Rng::new(9, "moments");
+fn running_means_are_those_of_two_passes() {
+    let mut rng = Rng::new(9, "running mean");
     // Little noise on a large mean, where sums of squares cancel.
     let numbers: Vec<f32> = (0..5000).map(|_| (1000.0 + 0.5 * rng.normal()) as f32).collect();
     let mean = numbers.iter().map(|x| f64::from(*x)).sum::<f64>() / numbers.len() as f64;
     let squares: f64 = numbers.iter().map(|x| (f64::from(*x) - mean).powi(2)).sum();
     let n = numbers.len() as f64;
     let error = (squares / n / (n - 1.0)).sqrt();
-    let whole = numbers.iter().fold(NOTHING, |m, x| moments_add(m, *x));
-    let parts = numbers.chunks(700).map(|c| c.iter().fold(NOTHING, |m, x| moments_add(m, *x)));
-    let merged = parts.fold(NOTHING, moments_merge);
+    let whole = numbers.iter().fold(NOTHING, |m, x| running_mean_add(m, *x));
+    let parts = numbers.chunks(700).map(|c| c.iter().fold(NOTHING, |m, x| running_mean_add(m, *x)));
+    let merged = parts.fold(NOTHING, running_mean_merge);
     for (name, found) in [("added", whole), ("merged", merged)] {
         assert_eq!(found.count, 5000, "{name}");
         assert!(
@@ -454,10 +454,10 @@ fn moments_are_those_of_two_passes() {
             "{name}: {} against {mean}",
             found.mean
         );
-        let gap = f64::from(moments_standard_error(found)) / error - 1.0;
+        let gap = f64::from(running_mean_standard_error(found)) / error - 1.0;
         assert!(gap.abs() < 2e-3, "{name}: {gap}");
     }
-    assert_eq!(moments_standard_error(NOTHING), 0.0);
-    assert_eq!(moments_standard_error(moments_add(NOTHING, 3.0)), 0.0);
+    assert_eq!(running_mean_standard_error(NOTHING), 0.0);
+    assert_eq!(running_mean_standard_error(running_mean_add(NOTHING, 3.0)), 0.0);
     assert!((luminance(Vec3::ONE) - 1.0).abs() < 1e-6);
 }

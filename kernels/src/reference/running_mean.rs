@@ -6,7 +6,7 @@ use lobe_codegen::prelude::*;
 
 /// What is kept of a stream of numbers.
 #[kernel]
-pub struct Moments {
+pub struct RunningMean {
     /// How many there were.
     #[domain(0.0..=16777214.0)]
     pub count: u32,
@@ -18,42 +18,42 @@ pub struct Moments {
     pub squares: f32,
 }
 
-/// Takes a number into a stream's moments.
+/// Takes a number into a stream's running.
 ///
 /// `mean' = mean + (x - mean)/n`, `squares' = squares + (x - mean)² (n - 1)/n`, `n` with the new number.
 /// Source: [Welford62].
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
-/// | `moments` | of what came before; all 0 for nothing | count below 2^24 | any |
+/// | `running` | of what came before; all 0 for nothing | count below 2^24 | any |
 /// | `value` | the number `x` | -1e4 ..= 1e4 | any |
 ///
-/// Returns the moments of all.
+/// Returns those of all.
 ///
 /// Numerics: sums of squares of the numbers themselves cancel when the noise is small against the mean; here
 /// nothing but differences from the mean is squared. The mean is rounded at every step, which adds up to
-/// `6e-8 √n` of it: for more than some 1e5 numbers, [`moments_merge`] the moments of parts.
+/// `6e-8 √n` of it: for more than some 1e5 numbers, [`running_mean_merge`] those of parts.
 #[kernel(
     family = "reference",
     cite = "[Welford62]",
     domain(value = -1e4..=1e4),
     budget(
-        mean = 6e-7 * (abs(moments.mean) + abs(value) / (moments.count as f32 + 1.0)) + 1e-37,
+        mean = 6e-7 * (abs(running.mean) + abs(value) / (running.count as f32 + 1.0)) + 1e-37,
         squares = 1.5e-6 * result.squares + 1e-36
     )
 )]
-pub fn moments_add(moments: Moments, value: f32) -> Moments {
-    let before = moments.count as f32;
+pub fn running_mean_add(running: RunningMean, value: f32) -> RunningMean {
+    let before = running.count as f32;
     let count = before + 1.0;
-    let difference = value - moments.mean;
-    Moments {
-        count: moments.count + 1,
-        mean: moments.mean + difference / count,
-        squares: moments.squares + (difference * difference) * (before / count),
+    let difference = value - running.mean;
+    RunningMean {
+        count: running.count + 1,
+        mean: running.mean + difference / count,
+        squares: running.squares + (difference * difference) * (before / count),
     }
 }
 
-/// The moments of two streams together.
+/// Mean and squares of two streams together.
 ///
 /// `mean = mean_a + d n_b/n`, `squares = squares_a + squares_b + d² n_a n_b/n`, `d = mean_b - mean_a`.
 /// Source: [Chan83] eq. 2.1.
@@ -62,16 +62,16 @@ pub fn moments_add(moments: Moments, value: f32) -> Moments {
 /// |---|---|---|---|
 /// | `a`, `b` | of the streams; all 0 for an empty one | counts below 2^24 | any |
 ///
-/// Returns the moments of all.
+/// Returns those of all.
 #[kernel(
     family = "reference",
     cite = "[Chan83] eq. 2.1",
     budget(mean = 1e-6 * (abs(a.mean) + abs(b.mean)) + 1e-37, squares = 2e-6 * result.squares + 1e-30)
 )]
-pub fn moments_merge(a: Moments, b: Moments) -> Moments {
+pub fn running_mean_merge(a: RunningMean, b: RunningMean) -> RunningMean {
     let difference = b.mean - a.mean;
     let share = b.count as f32 / max((a.count + b.count) as f32, 1.0);
-    Moments {
+    RunningMean {
         count: a.count + b.count,
         mean: a.mean + difference * share,
         squares: a.squares + b.squares + (difference * difference) * (a.count as f32 * share),
@@ -85,13 +85,13 @@ pub fn moments_merge(a: Moments, b: Moments) -> Moments {
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
-/// | `moments` | of the stream | count below 2^24 | any |
+/// | `running` | of the stream | count below 2^24 | any |
 ///
 /// Returns the standard error, at least 0; for fewer than two numbers, which have none, the root of `squares`, 0.
 #[kernel(family = "reference", cite = "[Welford62]", budget(3e-6 * result + 3e-19))]
-pub fn moments_standard_error(moments: Moments) -> f32 {
-    let count = moments.count as f32;
-    sqrt(moments.squares / max(count, 1.0) / max(count - 1.0, 1.0))
+pub fn running_mean_standard_error(running: RunningMean) -> f32 {
+    let count = running.count as f32;
+    sqrt(running.squares / max(count, 1.0) / max(count - 1.0, 1.0))
 }
 
 /// Luminance of a colour.
