@@ -100,10 +100,12 @@ fn the_cone_is_that_of_its_angle() {
 
 #[test]
 fn anisotropic_product_is_close_on_the_axis() {
-    check((unit(), decades(1.0, 4.0), decades(1.0, 4.0), decades(1.0, 5.0)), |(z, lambda, mu, k)| {
+    // Bandwidths up to a ratio of 30, which the quadrature resolves.
+    check((unit(), decades(1.0, 4.0), decades(0.0, 1.5), decades(0.0, 5.0)), |(z, lambda, ratio, k)| {
+        let mu = lambda * ratio;
         let asg = frame(z, lambda, mu);
         let sg = Sg { axis: z, sharpness: k, log_amplitude: 0.0 };
-        let [z, x, y] = [asg.z, asg.x, asg.y].map(Vec3::as_dvec3);
+        let [z, x, y] = [asg.z, asg.x, asg.y].map(|v| v.as_dvec3().normalize());
         let narrowest = f64::from(lambda.min(mu) + 0.5 * k);
         let truth = integrate(asg.z, (40.0 / narrowest).min(1.0), |w| {
             let exponent = f64::from(lambda) * w.dot(x).powi(2) + f64::from(mu) * w.dot(y).powi(2);

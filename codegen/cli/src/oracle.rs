@@ -5,7 +5,7 @@ use crate::fail::{Fail, Outcome};
 use crate::output::{self, Format};
 use crate::route::{self, RouteArgs};
 use crate::select;
-use lobe_tests::oracle::{Mapping, judge_table, lists, table};
+use lobe_tests::oracle::{Mapping, judge_table, table};
 use lobe_tests::question::Answer;
 use lobe_tests::report::{KernelReport, Report, human};
 use std::path::PathBuf;
@@ -60,7 +60,7 @@ fn add(report: &mut Report, kernel: &str, answer: Answer) {
         known.answers.push(answer);
         return;
     }
-    let mut fresh = match select::find(kernel).or_else(|| lists::find(kernel)) {
+    let mut fresh = match select::find(kernel) {
         Some(found) => KernelReport::new(found()),
         None => KernelReport::unknown(kernel),
     };

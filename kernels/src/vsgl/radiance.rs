@@ -229,7 +229,7 @@ pub fn vsgl_larger(light: Vsgl, position: Vec3) -> f32 {
 )]
 pub fn vsgl_shift_budget(light: Vsgl, position: Vec3, shift: f32) -> f32 {
     let smaller = min(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness);
-    1e-7 + 9e-6 * abs(shift) + 1.5e-6 * sqrt(abs(shift) * smaller) + 1e-12 * smaller
+    1e-7 + 1.1e-5 * abs(shift) + 1.5e-6 * sqrt(abs(shift) * smaller) + 1e-12 * smaller
 }
 
 /// Product of the region that a light fills with its emission, amplitude 1 each.
@@ -248,8 +248,8 @@ pub fn vsgl_shift_budget(light: Vsgl, position: Vec3, shift: f32) -> f32 {
     cite = "[Tokuyoshi15b] eq. 6, 7",
     domain(position = -1e4..=1e4),
     budget(
-        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
-        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_amplitude = vsgl_shift_budget(light, position, result.log_amplitude)
     )
 )]
@@ -285,8 +285,8 @@ pub fn vsgl_region(light: Vsgl, position: Vec3) -> Sg {
     cite = "[Tokuyoshi15b] eq. 7",
     domain(position = -1e4..=1e4),
     budget(
-        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
-        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
     )
 )]
@@ -309,8 +309,8 @@ pub fn vsgl_incoming(light: Vsgl, position: Vec3) -> Sg {
     cite = "[Tokuyoshi15b] eq. 7",
     domain(position = -1e4..=1e4),
     budget(
-        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
-        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
     ),
     variant_of = vsgl_incoming,
@@ -346,10 +346,10 @@ pub fn vsgl_incoming_paper(light: Vsgl, position: Vec3) -> Sg {
     cite = "[Tokuyoshi15b] eq. 7",
     domain(position = -1e4..=1e4),
     budget(
-        axis = 4e-6 + 6e-6 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
-        sharpness = 7e-6 * vsgl_larger(light, position) + 1e-11,
+        axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
+        sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_shift = vsgl_shift_budget(light, position, result.log_shift),
-        density = (3e-6 + 6e-6 * vsgl_larger(light, position) / (1.0 + result.sharpness)) * result.density
+        density = (3e-6 + 7e-6 * vsgl_larger(light, position) / (1.0 + result.sharpness)) * result.density
             + 1e-37 / vsgl_variance(light.variance, vsgl_distance2(light.mean, position)) + 1e-37
     )
 )]

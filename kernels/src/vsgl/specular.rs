@@ -64,8 +64,8 @@ pub fn vsgl_specular(light: Vsgl, position: Vec3, normal: Vec3, view: Vec3, alph
     let exponent = along * share * (sine2 + nu / (across + nu) * (tilt * tilt));
 
     let peak = (1.0 + incoming.sharpness) * asg_sg_peak(across, along, nu);
-    let smooth = max(1.0 - 0.5 * gap, 0.0);
-    factor * incoming.density * (peak * smooth) * exp(incoming.log_shift - exponent)
+    let above = max(1.0 - 0.5 * gap, 0.0);
+    factor * incoming.density * (peak * above) * exp(incoming.log_shift - exponent)
 }
 
 /// Direction in which the slow factors of a specular reflection are evaluated.

@@ -201,11 +201,13 @@ fn vsgl_unoccluded(row: &Row) -> Result<f64, Unfit> {
     };
     let number = |path: &str| magnitude(&row.args, path);
     let (mean, position, axis) = (vector("mean")?, vector("p_x")?, vector("axis")?);
-    let (sharpness, variance) = (number("sharpness")?, number("variance")?);
     let axis = normalised(&axis);
     let apart: Vec<f64> = mean.iter().zip(&position).map(|(m, p)| m - p).collect();
     let d2: f64 = apart.iter().map(|x| x * x).sum();
-    let (extent, towards) = (d2 / variance, normalised(&apart));
+    let sharpness = number("sharpness")?;
+    // At the mean itself there is no direction, and the extent has sharpness 0; without extent, none that is too large.
+    let variance = number("variance")?.max(1e-30 * d2).max(1e-30);
+    let (extent, towards) = (d2 / variance, if d2 > 0.0 { normalised(&apart) } else { axis.clone() });
     // k_in - k - D²/σ², by the chord between the region and the reversed emission.
     let sum2: f64 = towards.iter().zip(&axis).map(|(t, a)| (t - a).powi(2)).sum();
     let gap2: f64 = towards.iter().zip(&axis).map(|(t, a)| (t + a).powi(2)).sum();
