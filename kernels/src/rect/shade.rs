@@ -64,6 +64,20 @@ pub struct Reflection {
     pub radiance: f32,
 }
 
+/// In what the forms of the shading differ.
+#[kernel]
+pub struct ShadeForm {
+    /// The largest half extent of the disk over its distance.
+    #[domain([4.0])]
+    pub widest: f32,
+    /// The largest share of the disk.
+    #[domain([1.0])]
+    pub fullest: f32,
+    /// What the product with the surface's lobe takes of its sharpness.
+    #[domain([0.5])]
+    pub share: f32,
+}
+
 /// The shading of one position, step by step.
 #[kernel]
 pub struct RectShade {
@@ -215,9 +229,7 @@ pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) 
 /// | `reflection` | what it makes of the light | | |
 /// | `receiver` | the shaded surface | positions -100 ..= 100 | m |
 /// | `radius` | of the sampling disk | 1e-3 ..= 100 | m |
-/// | `widest` | the largest half extent of the disk over its distance | 4 | 1 |
-/// | `fullest` | the largest share of the disk | 1 | 1 |
-/// | `share` | what the product with the surface's lobe takes of its sharpness | 0.5 | 1 |
+/// | `form` | the limits: the disk's half extent, its share, the share of a sharpness | 4, 1, 0.5 | 1 |
 ///
 /// Returns the steps and the reflected radiance.
 ///
@@ -225,7 +237,7 @@ pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) 
 #[kernel(
     family = "rect",
     cite = "[RectGlossy] section 3",
-    domain(radius = 1e-3..=100.0, widest = [4.0], fullest = [1.0], share = [0.5]),
+    domain(radius = 1e-3..=100.0),
     budget(
         height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
@@ -238,9 +250,7 @@ pub fn rect_shade_within(
     reflection: Reflection,
     receiver: GlossyReceiver,
     radius: f32,
-    widest: f32,
-    fullest: f32,
-    share: f32,
+    form: ShadeForm,
 ) -> RectShade {
     let offset = receiver.position - rectangle.position;
     let height = dot(offset, rectangle.normal);
@@ -252,13 +262,13 @@ pub fn rect_shade_within(
     let x = dot(level, rectangle.tangent);
     let y = dot(level, cross(rectangle.normal, rectangle.tangent));
     let bounds = rect_disk_bounds(rectangle.half_x, rectangle.half_y, x, y, radius);
-    let coverage = min(rect_coverage_paper(rectangle.half_x, rectangle.half_y, x, y, radius), fullest);
+    let coverage = min(rect_coverage_paper(rectangle.half_x, rectangle.half_y, x, y, radius), form.fullest);
 
     // The disk: its energy and its lobe.
     let ratio = radius / max(dist, 1e-12);
     let aperture = rect_aperture(ratio, cos_sigma);
     let energy = rect_energy(coverage, reflection.radiance, reflection.attenuation, aperture);
-    let extent = clamp(ratio, 1e-3, widest);
+    let extent = clamp(ratio, 1e-3, form.widest);
     let lambda = rect_bandwidth_paper(extent);
     let mu = rect_bandwidth_paper(extent * cos_sigma);
     let amplitude = sqrt(max(lambda, 0.0)) * sqrt(max(mu, 0.0)) * (energy / PI);
@@ -267,7 +277,7 @@ pub fn rect_shade_within(
     let facing = dot(receiver.normal, receiver.view);
     let mirror = 2.0 * facing * receiver.normal - receiver.view;
     let sharpness = 0.5 / (max(facing, 1e-3) * (receiver.alpha * receiver.alpha));
-    let nu = share * sharpness;
+    let nu = form.share * sharpness;
     let chord = mirror - reflection.axis;
     let apart = dot(chord, chord) * max(1.0 - 0.25 * dot(chord, chord), 0.0);
     let along = dot(chord, reflection.slant);
@@ -385,7 +395,8 @@ pub fn rect_shade(
     receiver: GlossyReceiver,
     radius: f32,
 ) -> RectShade {
-    rect_shade_within(rectangle, reflection, receiver, radius, 4.0, 1.0, 0.5)
+    let form = ShadeForm { widest: 4.0, fullest: 1.0, share: 0.5 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
 
 /// The shading of one position by one rectangle and one light.
@@ -461,7 +472,8 @@ pub fn rect_shade_light_unlimited(
     radius: f32,
 ) -> RectShade {
     let reflection = rect_reflection(rectangle.normal, alpha, reflectance, light);
-    rect_shade_within(rectangle, reflection, receiver, radius, 1e9, 1.0, 0.5)
+    let form = ShadeForm { widest: 1e9, fullest: 1.0, share: 0.5 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
 
 /// The shading of one position by one rectangle and one light, as printed.
@@ -498,5 +510,6 @@ pub fn rect_shade_light_paper(
     radius: f32,
 ) -> RectShade {
     let reflection = rect_reflection_paper(rectangle.normal, alpha, reflectance, light);
-    rect_shade_within(rectangle, reflection, receiver, radius, 1e9, 2.0, 1.0)
+    let form = ShadeForm { widest: 1e9, fullest: 2.0, share: 1.0 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
