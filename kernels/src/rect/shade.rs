@@ -239,7 +239,7 @@ pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) 
     cite = "[RectGlossy] section 3",
     domain(radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
@@ -285,11 +285,13 @@ pub fn rect_shade_within(
     let narrow = nu / max(mu + nu, 1e-10);
     let slope = rect_bandwidth_slope(extent, cos_sigma) * narrow * wide;
     let falloff = exp(-(lambda * wide) * apart - slope * (along * along));
-    let product = asg_sg_peak(lambda, mu, nu) * max(dot(mirror, reflection.axis), 0.0) * falloff;
+    let seen = max(dot(mirror, reflection.axis), 0.0) * falloff;
 
     let cosine = max(dot(reflection.axis, receiver.normal), 0.0) * saturate(1e3 * facing);
     let peak_density = 1.0 / (PI * (receiver.alpha * receiver.alpha));
-    let lit = receiver.reflectance * cosine * peak_density * (amplitude * product);
+    // The amplitude times the product: a share of the energy, in which each bandwidth enters once.
+    let share = inverse_sqrt(1.0 + nu / max(lambda, 1e-6)) * inverse_sqrt(1.0 + nu / max(mu, 1e-6));
+    let lit = receiver.reflectance * cosine * peak_density * (energy * share * seen);
     RectShade {
         height,
         peak: rectangle.position + level,
@@ -303,7 +305,7 @@ pub fn rect_shade_within(
         amplitude,
         mirror,
         sharpness,
-        product,
+        product: asg_sg_peak(lambda, mu, nu) * seen,
         radiance: select(0.0, lit, height > 0.0),
     }
 }
@@ -342,7 +344,7 @@ pub fn rect_shade_error(
     let nu = 0.5 * shade.sharpness;
     let geometry = way / max(shade.height, 1e-7 * way + 1e-30) + 1.0 / cos_sigma;
     let place = (way + shade.dist) / (cos_sigma * radius);
-    let relative = 2e-5 + 4e-6 * geometry + 2e-6 * place + 1e-6 * sqrt(nu) + 1e-6 / facing;
+    let relative = 1e-5 + 2e-6 * geometry + 1e-6 * place + 5e-7 * sqrt(nu) + 5e-7 / facing;
     // A distance of which few digits are left says little of the disk: it may be as near as can be.
     let near = geometry > 2e3;
     let wide = select(max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu), 1.0, near);
@@ -383,7 +385,7 @@ pub fn rect_shade_error(
     cite = "[RectGlossy] section 3",
     domain(radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
@@ -422,7 +424,7 @@ pub fn rect_shade(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
@@ -453,7 +455,7 @@ pub fn rect_shade_light(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
@@ -491,7 +493,7 @@ pub fn rect_shade_light_unlimited(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection_paper(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
