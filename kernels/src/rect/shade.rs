@@ -65,6 +65,20 @@ pub struct Reflection {
     pub radiance: f32,
 }
 
+/// In what the forms of the shading differ.
+#[kernel]
+pub struct ShadeForm {
+    /// The largest half extent of the disk over its distance.
+    #[domain([4.0])]
+    pub widest: f32,
+    /// The largest share of the disk.
+    #[domain([1.0])]
+    pub fullest: f32,
+    /// What the product with the surface's lobe takes of its sharpness.
+    #[domain([0.5])]
+    pub share: f32,
+}
+
 /// The shading of one position, step by step.
 #[kernel]
 pub struct RectShade {
@@ -216,9 +230,7 @@ pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) 
 /// | `reflection` | what it makes of the light | | |
 /// | `receiver` | the shaded surface | positions -100 ..= 100 | m |
 /// | `radius` | of the sampling disk | 1e-3 ..= 100 | m |
-/// | `widest` | the largest half extent of the disk over its distance | 4 | 1 |
-/// | `fullest` | the largest share of the disk | 1 | 1 |
-/// | `share` | what the product with the surface's lobe takes of its sharpness | 0.5 | 1 |
+/// | `form` | the limits: the disk's half extent, its share, the share of a sharpness | 4, 1, 0.5 | 1 |
 ///
 /// Returns the steps and the reflected radiance.
 ///
@@ -226,9 +238,9 @@ pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) 
 #[kernel(
     family = "rect",
     cite = "[RectGlossy] section 3",
-    domain(radius = 1e-3..=100.0, widest = [4.0], fullest = [1.0], share = [0.5]),
+    domain(radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
@@ -239,9 +251,7 @@ pub fn rect_shade_within(
     reflection: Reflection,
     receiver: GlossyReceiver,
     radius: f32,
-    widest: f32,
-    fullest: f32,
-    share: f32,
+    form: ShadeForm,
 ) -> RectShade {
     let offset = receiver.position - rectangle.position;
     let height = dot(offset, rectangle.normal);
@@ -253,13 +263,13 @@ pub fn rect_shade_within(
     let x = dot(level, rectangle.tangent);
     let y = dot(level, cross(rectangle.normal, rectangle.tangent));
     let bounds = rect_disk_bounds(rectangle.half_x, rectangle.half_y, x, y, radius);
-    let coverage = min(rect_coverage_paper(rectangle.half_x, rectangle.half_y, x, y, radius), fullest);
+    let coverage = min(rect_coverage_paper(rectangle.half_x, rectangle.half_y, x, y, radius), form.fullest);
 
     // The disk: its energy and its lobe.
     let ratio = radius / max(dist, 1e-12);
     let aperture = rect_aperture(ratio, cos_sigma);
     let energy = rect_energy(coverage, reflection.radiance, reflection.attenuation, aperture);
-    let extent = clamp(ratio, 1e-3, widest);
+    let extent = clamp(ratio, 1e-3, form.widest);
     let lambda = rect_bandwidth_paper(extent);
     let mu = rect_bandwidth_paper(extent * cos_sigma);
     let amplitude = sqrt(max(lambda, 0.0)) * sqrt(max(mu, 0.0)) * (energy / PI);
@@ -268,7 +278,7 @@ pub fn rect_shade_within(
     let facing = dot(receiver.normal, receiver.view);
     let mirror = 2.0 * facing * receiver.normal - receiver.view;
     let sharpness = 0.5 / (max(facing, 1e-3) * (receiver.alpha * receiver.alpha));
-    let nu = share * sharpness;
+    let nu = form.share * sharpness;
     let chord = mirror - reflection.axis;
     let apart = dot(chord, chord) * max(1.0 - 0.25 * dot(chord, chord), 0.0);
     let along = dot(chord, reflection.slant);
@@ -276,11 +286,13 @@ pub fn rect_shade_within(
     let narrow = nu / max(mu + nu, 1e-10);
     let slope = rect_bandwidth_slope(extent, cos_sigma) * narrow * wide;
     let falloff = exp(-(lambda * wide) * apart - slope * (along * along));
-    let product = asg_sg_peak(lambda, mu, nu) * max(dot(mirror, reflection.axis), 0.0) * falloff;
+    let seen = max(dot(mirror, reflection.axis), 0.0) * falloff;
 
     let cosine = max(dot(reflection.axis, receiver.normal), 0.0) * saturate(1e3 * facing);
     let peak_density = 1.0 / (PI * (receiver.alpha * receiver.alpha));
-    let lit = receiver.reflectance * cosine * peak_density * (amplitude * product);
+    // The amplitude times the product: a share of the energy, in which each bandwidth enters once.
+    let share = inverse_sqrt(1.0 + nu / max(lambda, 1e-6)) * inverse_sqrt(1.0 + nu / max(mu, 1e-6));
+    let lit = receiver.reflectance * cosine * peak_density * (energy * share * seen);
     RectShade {
         height,
         peak: rectangle.position + level,
@@ -294,7 +306,7 @@ pub fn rect_shade_within(
         amplitude,
         mirror,
         sharpness,
-        product,
+        product: asg_sg_peak(lambda, mu, nu) * seen,
         radiance: select(0.0, lit, height > 0.0),
     }
 }
@@ -333,7 +345,7 @@ pub fn rect_shade_error(
     let nu = 0.5 * shade.sharpness;
     let geometry = way / max(shade.height, 1e-7 * way + 1e-30) + 1.0 / cos_sigma;
     let place = (way + shade.dist) / (cos_sigma * radius);
-    let relative = 2e-5 + 4e-6 * geometry + 2e-6 * place + 1e-6 * sqrt(nu) + 1e-6 / facing;
+    let relative = 1e-5 + 2e-6 * geometry + 1e-6 * place + 5e-7 * sqrt(nu) + 5e-7 / facing;
     // A distance of which few digits are left says little of the disk: it may be as near as can be.
     let near = geometry > 2e3;
     let wide = select(max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu), 1.0, near);
@@ -374,7 +386,7 @@ pub fn rect_shade_error(
     cite = "[RectGlossy] section 3",
     domain(radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
@@ -386,7 +398,8 @@ pub fn rect_shade(
     receiver: GlossyReceiver,
     radius: f32,
 ) -> RectShade {
-    rect_shade_within(rectangle, reflection, receiver, radius, 4.0, 1.0, 0.5)
+    let form = ShadeForm { widest: 4.0, fullest: 1.0, share: 0.5 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
 
 /// The shading of one position by one rectangle and one light.
@@ -412,7 +425,7 @@ pub fn rect_shade(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
@@ -443,7 +456,7 @@ pub fn rect_shade_light(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
@@ -462,7 +475,8 @@ pub fn rect_shade_light_unlimited(
     radius: f32,
 ) -> RectShade {
     let reflection = rect_reflection(rectangle.normal, alpha, reflectance, light);
-    rect_shade_within(rectangle, reflection, receiver, radius, 1e9, 1.0, 0.5)
+    let form = ShadeForm { widest: 1e9, fullest: 1.0, share: 0.5 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
 
 /// The shading of one position by one rectangle and one light, as printed.
@@ -480,7 +494,7 @@ pub fn rect_shade_light_unlimited(
     cite = "[RectGlossy] section 3",
     domain(alpha = 0.02..=1.0, reflectance = 0.0..=100.0, radius = 1e-3..=100.0),
     budget(
-        height = 1e-6 * length(receiver.position - rectangle.position) + 1e-30,
+        height = 6e-7 * length(receiver.position - rectangle.position) + 1e-30,
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, rect_reflection_paper(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
@@ -499,5 +513,6 @@ pub fn rect_shade_light_paper(
     radius: f32,
 ) -> RectShade {
     let reflection = rect_reflection_paper(rectangle.normal, alpha, reflectance, light);
-    rect_shade_within(rectangle, reflection, receiver, radius, 1e9, 2.0, 1.0)
+    let form = ShadeForm { widest: 1e9, fullest: 2.0, share: 1.0 };
+    rect_shade_within(rectangle, reflection, receiver, radius, form)
 }
