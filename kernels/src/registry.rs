@@ -202,3 +202,15 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     diffuse::rect_form_factor,
     diffuse::rect_diffuse_matt,
 ];
+
+/// Steps of kernels above that an engine takes by themselves, once a frame, rectangle or pixel. They can be
+/// emitted by name; they state no contract of their own and are judged within their callers.
+pub const PARTS: &[FunctionRef] = &kernels![
+    laplace::rect_laplace_bitangent,
+    laplace::rect_laplace_reflector,
+    laplace::rect_laplace_receiver,
+    laplace::rect_laplace_integral,
+    laplace::rect_laplace_integral_sg,
+    laplace::rect_laplace_fast_integral,
+    laplace::rect_laplace_fast_integral_sg,
+];

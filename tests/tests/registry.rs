@@ -3,7 +3,7 @@
 
 use lobe_backends::executor::Program;
 use lobe_codegen::emit::Target;
-use lobe_kernels::registry::KERNELS;
+use lobe_kernels::registry::{KERNELS, PARTS};
 use lobe_tests::cases::Cases;
 use lobe_tests::domain::Inputs;
 use lobe_tests::oracle::{Mapping, lists, table};
@@ -194,6 +194,22 @@ fn every_kernel_has_a_table_or_an_excuse() {
     }
     for (name, _) in WITHOUT_TABLE {
         assert!(KERNELS.iter().any(|k| k().name == *name), "the excuse for {name} outlived the kernel");
+    }
+}
+
+#[test]
+fn every_part_is_documented_and_judged_within_a_kernel() {
+    let text = |kernel: &lobe_codegen::def::FunctionRef| {
+        let program = Program::new(*kernel).unwrap_or_else(|e| panic!("{e}"));
+        let artifact = program.artifact(Target::Wgsl).unwrap_or_else(|e| panic!("{e}"));
+        String::from_utf8_lossy(artifact.content.bytes().as_ref()).into_owned()
+    };
+    let emitted: Vec<String> = KERNELS.iter().map(text).collect();
+    for part in PARTS.iter().map(|k| k()) {
+        assert!(!part.docs.is_empty(), "{} has no doc comment", part.name);
+        assert!(KERNELS.iter().all(|k| k().name != part.name), "{} is registered twice", part.name);
+        let call = format!("fn {}(", part.name);
+        assert!(emitted.iter().any(|text| text.contains(&call)), "no kernel calls {}", part.name);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::fail::Fail;
 use lobe_codegen::def::FunctionRef;
-use lobe_kernels::registry::KERNELS;
+use lobe_kernels::registry::{KERNELS, PARTS};
 use lobe_tests::oracle::lists;
 
 /// Below this similarity a name is no suggestion.
@@ -32,13 +32,13 @@ pub(crate) fn kernels(names: &[String]) -> Result<Vec<FunctionRef>, Fail> {
     Ok(chosen)
 }
 
-/// The kernel `name`, if there is one: of the library, or one that tables of lists are judged by.
+/// The kernel `name`, if there is one: of the library, a part of one, or one that tables of lists are judged by.
 pub(crate) fn find(name: &str) -> Option<FunctionRef> {
-    KERNELS.iter().copied().find(|k| k().name == name).or_else(|| lists::find(name))
+    KERNELS.iter().chain(PARTS).copied().find(|k| k().name == name).or_else(|| lists::find(name))
 }
 
 fn nearest(name: &str) -> Option<String> {
-    let scored = KERNELS.iter().map(|k| (strsim::jaro_winkler(name, k().name), k().name));
+    let scored = KERNELS.iter().chain(PARTS).map(|k| (strsim::jaro_winkler(name, k().name), k().name));
     let best = scored.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
     (best.0 >= ALIKE).then(|| best.1.to_owned())
 }
