@@ -209,7 +209,7 @@ pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -
 #[kernel]
 pub(crate) fn surface_error(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
     let lobe = ggx_ndf_between(normal, light, view, material.alpha) * max(largest(material.f0), material.f90);
-    4e-7 + (1e-6 + 2e-6 / material.alpha) * lobe
+    5e-7 + (1e-6 + 2e-6 / material.alpha) * lobe
 }
 
 /// The largest channel of a colour.

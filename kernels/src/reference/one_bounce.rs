@@ -109,7 +109,7 @@ pub fn one_bounce_area_integrand(bounce: OneBounce, place: Vec3) -> Vec3 {
     cite = "[RectGlossy] eq. 3",
     domain(dir = unit),
     budget(
-        ((1e-5 + 3e-6 / bounce.material.alpha + 3e-6 / bounce.rectangle_material.alpha) * abs(one_bounce_cosines(bounce, dir)) + 1e-6)
+        ((7e-6 + 2e-6 / bounce.material.alpha + 2e-6 / bounce.rectangle_material.alpha) * one_bounce_cosines(bounce, dir) + 8e-7)
             * ggx_ndf_between(bounce.normal, dir, bounce.view, bounce.material.alpha)
             * ggx_ndf_between(bounce.rectangle.normal, bounce.light, -dir, bounce.rectangle_material.alpha) + 1e-8
     )
@@ -234,7 +234,7 @@ pub fn one_bounce_density(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
     domain(dir = unit, dist = 1e-3..=1e4),
     budget(
         (transfer_error(bounce, dir) + density_error(bounce, dir, dist) * largest(result))
-            * 0.6 / max(one_bounce_density(bounce, dir, dist), 1e-20)
+            * 0.6 / least_density(bounce, dir, dist)
     )
 )]
 pub fn one_bounce_estimate(bounce: OneBounce, dir: Vec3, dist: f32) -> Vec3 {
@@ -304,4 +304,12 @@ fn density_error(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
 fn direction_to(bounce: OneBounce, place: Vec3) -> Vec3 {
     let offset = place - bounce.position;
     offset * inverse_sqrt(max(dot(offset, offset), 1e-8))
+}
+
+/// The least that a driver may find for [`one_bounce_density`]: its share by area has no cosine that could vanish.
+#[kernel]
+fn least_density(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
+    let by_area = (dist / bounce.rectangle.half_x) * (dist / bounce.rectangle.half_y);
+    let lowered = one_bounce_density(bounce, dir, dist) - density_error(bounce, dir, dist);
+    max(max(lowered, 0.06 * by_area), 1e-20)
 }
