@@ -168,6 +168,7 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     vsgl::asg_sg_sg_budget,
     vsgl::asg_sg_sg_product_integral,
     vsgl::vsgl_pair_radiance,
+    vsgl::vsgl_pair_radiance_diffuse,
     vsgl::vpl_transfer,
     vsgl::vpl_radiance,
     vsgl::vsl_radiance,

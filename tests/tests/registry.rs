@@ -44,6 +44,7 @@ const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("product_components", "part of asg_sg_sg_product_integral"),
     ("asg_sg_sg_budget", "a budget"),
     ("vsgl_pair_radiance", "asg_sg_sg_product_integral over the cone; properties"),
+    ("vsgl_pair_radiance_diffuse", "sg_sg_product_integral over the cone; properties"),
     ("vpl_transfer", "a product of its arguments"),
     ("vpl_radiance", "properties, against vsl_radiance"),
     ("vsl_radiance", "the density of vsl_cone; properties"),

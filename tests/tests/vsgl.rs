@@ -9,8 +9,9 @@ use lobe_kernels::sg::{Sg, sg_eval, sg_integral, sg_sg_product_integral};
 use lobe_kernels::vsgl::{
     Vsgl, asg_sg_sg_product_integral, brsm_pdf, brsm_weight, vpl_radiance, vpl_transfer, vsgl_diffuse,
     vsgl_diffuse_paper, vsgl_from_moments, vsgl_from_moments_paper, vsgl_incoming, vsgl_light,
-    vsgl_pair_radiance, vsgl_reduce_bias, vsgl_smoothness, vsgl_specular, vsgl_specular_axis,
-    vsgl_transfer_sharpness, vsl_cone, vsl_mip_level, vsl_radiance, vsl_radius, vsl_window,
+    vsgl_pair_radiance, vsgl_pair_radiance_diffuse, vsgl_reduce_bias, vsgl_smoothness, vsgl_specular,
+    vsgl_specular_axis, vsgl_transfer_sharpness, vsl_cone, vsl_mip_level, vsl_radiance, vsl_radius,
+    vsl_window,
 };
 use proptest::prelude::*;
 use random::{check, close, rotation, unit};
@@ -159,6 +160,30 @@ fn a_pair_of_lobes_converges_to_its_value_for_a_point_light() {
         close(found, wanted, 1e-3 * wanted, "small light")?;
         let reduced = vsl_radiance(0.7 * value, d, 1e-4 * d);
         close(found, reduced.into(), 1e-3 * wanted, "smooth lobes")
+    });
+}
+
+#[test]
+fn a_lobe_before_a_diffuse_receiver_is_its_mean_over_the_cone() {
+    let lobe =
+        (unit(), decades(-1.0, 4.0)).prop_map(|(axis, sharpness)| Sg { axis, sharpness, log_amplitude: 0.5 });
+    check((unit(), lobe, 0.5..2.0_f32, 0.01..3.0_f32), |(dir, lobe, d, relative)| {
+        let window = vsl_window(dir, d, relative * d);
+        let mean = f64::from(sg_sg_product_integral(window, lobe))
+            / f64::from(vsl_cone(d, relative * d).solid_angle);
+        let wanted = 0.7 * mean * f64::from(vsl_cone(d, relative * d).density);
+        let found = vsgl_pair_radiance_diffuse(lobe, dir, d, relative * d, 0.7);
+        // Both exponents carry errors that grow with the sharpness.
+        let slack = 1e-5 + 1e-6 * f64::from(lobe.sharpness.min(window.sharpness));
+        close(found, wanted, slack * wanted + 1e-30, "mean over the cone")?;
+        let constant = Sg { sharpness: 0.0, log_amplitude: 0.0, ..lobe };
+        let smooth = f64::from(vsl_radiance(0.7, d, relative * d));
+        close(
+            vsgl_pair_radiance_diffuse(constant, dir, d, relative * d, 0.7),
+            smooth,
+            2e-2 * smooth,
+            "constant",
+        )
     });
 }
 

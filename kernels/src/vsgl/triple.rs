@@ -1,10 +1,11 @@
 //! The product integral of an anisotropic lobe and two isotropic ones.
 
-use super::cone::{vsl_cone, vsl_window};
+use super::cone::{LN_2, vsl_cone, vsl_window};
 use crate::asg::{Asg, asg_sg_peak};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Tokuyoshi15, Xu13};
 use crate::sg::{Sg, sg_product};
+use crate::special::expm1_over_x;
 use lobe_codegen::prelude::*;
 
 /// An anisotropic lobe of amplitude 1, convolved with an isotropic one, out of the latter's components.
@@ -147,12 +148,10 @@ pub fn asg_sg_sg_budget(asg: Asg, v: Sg, l: Sg) -> f32 {
 /// | `cosines` | `⟨w_i, n_s⟩ ⟨-w_i, n_i⟩` | 0 ..= 1 | 1 |
 ///
 /// Returns the radiance, at least 0. Add up the four pairs of diffuse and specular lobes; a diffuse lobe of the
-/// receiver is no lobe but a constant: [`vsl_radiance`].
+/// receiver is a constant: [`vsgl_pair_radiance_diffuse`].
 ///
 /// Numerics: `2/(π r²)` is the cone's density over half its solid angle, so no division by `r²` is left; for a
 /// vanishing radius it is the point light's `1/d²` times the values of the lobes.
-///
-/// [`vsl_radiance`]: crate::vsgl::vsl_radiance
 #[kernel(
     family = "vsgl",
     cite = "[Tokuyoshi15] eq. 2, 3",
@@ -177,4 +176,37 @@ pub fn vsgl_pair_radiance(asg: Asg, lobe: Sg, dir: Vec3, dist: f32, radius: f32,
     let components = product_components(asg, window, lobe);
     let value = asg_convolved_at(asg.lambda, asg.mu, nu, components, product.log_amplitude);
     asg.amplitude * (cosines * vsl_cone(dist, radius).density) * (width * value)
+}
+
+/// Radiance reflected towards the viewer out of a lobe of the light, by a receiver whose lobe is constant.
+///
+/// `2 c_l ⟨w_i, n_s⟩ ⟨-w_i, n_i⟩ ∫ G_l G_V dw / (π r²)`, to be multiplied by the receiver's constant `c_0`.
+/// Source: [Tokuyoshi15] eq. 2, 3, for a lobe of sharpness 0 at the receiver; the integral is exact.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `lobe` | of the light's BRDF times its flux, `c_l` in the log amplitude, about minus the mirror direction | sharpness 0 ..= 1e6 | power/sr |
+/// | `dir` | unit direction to the light, `w_i` | sphere | 1 |
+/// | `dist`, `radius` | of the light | 1e-3 ..= 1e4, 0 ..= 1e4 | length |
+/// | `cosines` | `⟨w_i, n_s⟩ ⟨-w_i, n_i⟩` | 0 ..= 1 | 1 |
+///
+/// Returns the radiance over `c_0`, at least 0.
+///
+/// Numerics: as of [`vsgl_pair_radiance`].
+#[kernel(
+    family = "vsgl",
+    cite = "[Tokuyoshi15] eq. 2, 3",
+    domain(dir = unit, dist = 1e-3..=1e4, radius = 0.0..=1e4, cosines = 0.0..=1.0),
+    budget(
+        (3e-5 + 1.2e-5 * abs(sg_product(vsl_window(dir, dist, radius), lobe).log_amplitude - lobe.log_amplitude - LN_2) + 2e-6 * abs(lobe.log_amplitude)
+            + 2e-5 * max(vsl_window(dir, dist, radius).sharpness, lobe.sharpness)
+                / (1.0 + sg_product(vsl_window(dir, dist, radius), lobe).sharpness)) * result + 1e-23
+    )
+)]
+pub fn vsgl_pair_radiance_diffuse(lobe: Sg, dir: Vec3, dist: f32, radius: f32, cosines: f32) -> f32 {
+    let window = vsl_window(dir, dist, radius);
+    let product = sg_product(Sg { log_amplitude: 0.0, ..window }, lobe);
+    // The product's integral over the window's, 2π over its sharpness.
+    let mean = 2.0 * window.sharpness * expm1_over_x(-2.0 * product.sharpness);
+    cosines * vsl_cone(dist, radius).density * (mean * exp(product.log_amplitude))
 }
