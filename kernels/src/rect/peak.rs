@@ -46,7 +46,7 @@ pub struct SpecularPeak {
     domain(light_dir = unit, position = -1e4..=1e4),
     budget(
         position = (2e-6 * (abs(result.dist) + length(position - rectangle.position))
-            / max(dot(light_dir, rectangle.normal), LEAST_COSINE)) + 1e-6 * length(position),
+            / max(dot(light_dir, rectangle.normal), LEAST_COSINE)) + 1e-6 * length(position) + 1e-30,
         reflected = 2e-6,
         dist = 2e-6 * (abs(result.dist) + length(position - rectangle.position))
             / max(dot(light_dir, rectangle.normal), LEAST_COSINE) + 1e-30

@@ -341,9 +341,9 @@ pub fn rect_shade_error(
 ) -> f32 {
     let cos_sigma = max(reflection.cos_sigma, LEAST_COSINE);
     let facing = max(dot(receiver.normal, receiver.view), 1e-3);
-    let way = length(receiver.position - rectangle.position);
+    let way = length(receiver.position - rectangle.position) + 1e-30;
     let nu = 0.5 * shade.sharpness;
-    let geometry = way / max(shade.height, 1e-7 * way + 1e-30) + 1.0 / cos_sigma;
+    let geometry = way / max(shade.height, 1e-7 * way) + 1.0 / cos_sigma;
     let place = (way + shade.dist) / (cos_sigma * radius);
     let relative = 1e-5 + 2e-6 * geometry + 1e-6 * place + 5e-7 * sqrt(nu) + 5e-7 / facing;
     // A distance of which few digits are left says little of the disk: it may be as near as can be.
