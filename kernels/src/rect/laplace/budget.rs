@@ -28,8 +28,8 @@ pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver
 /// How much harder than straight on the rectangle is to see: what multiplies the budget of the fast kernels.
 ///
 /// With `g`, distance and larger half extent over the pixel's height above the rectangle's plane,
-/// `8 + g/10 + g²/500`: the height is a difference of positions, of which a grazing pixel leaves few digits. Where the
-/// pixel's normal is within 2e-4 of being perpendicular to a side, `20 + 4 g` more: there the corner that a spot is lifted
+/// `12 + 0.15 g + 0.012 g²`: the height is a difference of positions, of which a grazing pixel leaves few digits. Where the
+/// pixel's normal is within 2e-4 of being perpendicular to a side, `100 + 20 g` more: there the corner that a spot is lifted
 /// to moves from one end of the side to the other.
 #[kernel]
 pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: Receiver) -> f32 {
@@ -38,11 +38,12 @@ pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: Receiver) -> f32 
     let g = (length(way) + max(rectangle.half_x, rectangle.half_y)) / height;
     let x = dot(rectangle.tangent, receiver.normal);
     let y = dot(rect_laplace_bitangent(rectangle), receiver.normal);
-    8.0 + g * (0.1 + 2e-3 * g) + select(0.0, 20.0 + 4.0 * g, min(abs(x), abs(y)) < 2e-4)
+    12.0 + g * (0.15 + 0.012 * g) + select(0.0, 100.0 + 20.0 * g, min(abs(x), abs(y)) < 2e-4)
 }
 
 /// 1 where [`rect_laplace_fast`](crate::rect::laplace::rect_laplace_fast) may jump, else 0: where both axes show as
-/// much of the lobe to within 4 %, so that a rounding error decides about the order, and where a cosine is at 1e-3,
+/// much of the lobe (to within 4 % straight on, more where the rectangle is hard to see), so that a rounding error
+/// decides about the order, and where a cosine is at 1e-3,
 /// below which nothing arrives.
 #[kernel]
 pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
@@ -58,7 +59,8 @@ pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiv
     let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
     let shown = rect_laplace_shown(angles, extent);
-    let is_even = abs(shown.x - shown.y) < 0.02 * (shown.x + shown.y);
+    let near = 0.0017 * rect_laplace_difficulty(rectangle, receiver);
+    let is_even = abs(shown.x - shown.y) < near * (shown.x + shown.y);
     let least = min(reflector_in_frame.light.z, receiver_in_frame.cosine);
     select(0.0, 1.0, is_even || least < 1.001e-3)
 }
@@ -78,7 +80,8 @@ pub fn rect_laplace_fast_jump_sg(rectangle: Rectangle, reflector: Reflector, rec
     let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
     let shown = rect_laplace_shown(angles, extent);
-    let is_even = abs(shown.x - shown.y) < 0.02 * (shown.x + shown.y);
+    let near = 0.0017 * rect_laplace_difficulty(rectangle, receiver);
+    let is_even = abs(shown.x - shown.y) < near * (shown.x + shown.y);
     let least = min(reflector_in_frame.light.z, receiver_in_frame.cosine);
     select(0.0, 1.0, is_even || least < 1.001e-3)
 }

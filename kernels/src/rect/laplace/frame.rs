@@ -28,7 +28,7 @@ pub struct Reflector {
 #[kernel]
 pub struct Receiver {
     /// Where it is.
-    #[domain(-100.0..=100.0)]
+    #[domain(-1e4..=1e4)]
     pub position: Vec3,
     /// Unit normal.
     #[domain(unit)]
