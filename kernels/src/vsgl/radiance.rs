@@ -1,5 +1,6 @@
 //! A set of virtual point lights as one light, and the radiance that comes from it.
 
+use super::budget::{vsgl_larger, vsgl_shift_budget};
 use crate::constants::TWO_PI;
 use crate::filter::{Moments, moments_to_lobe, planar_variance};
 #[allow(unused_imports, reason = "citations link to them")]
@@ -197,41 +198,6 @@ pub fn vsgl_variance(variance: f32, d2: f32) -> f32 {
     max(variance, max(1e-30 * d2, 1e-26))
 }
 
-/// The larger sharpness of a light: of the region that it fills or of its emission.
-///
-/// What the cancellation of the two is measured by. Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-///
-/// Returns the sharpness, at least 1e-30.
-#[kernel(family = "vsgl", cite = "definition", domain(position = -1e4..=1e4), budget(2e-6 * result + 1e-11))]
-pub fn vsgl_larger(light: Vsgl, position: Vec3) -> f32 {
-    max(max(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness), 1e-30)
-}
-
-/// Error permitted to the exponent that the product of a light's region with its emission leaves.
-///
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-/// | `shift` | the exponent | -4e6 ..= 0 | 1 |
-///
-/// Returns the error: relative, and that of the axis towards the light, times the smaller sharpness.
-#[kernel(
-    family = "vsgl",
-    cite = "definition",
-    domain(position = -1e4..=1e4, shift = -4e6..=0.0),
-    budget(1e-3 * result)
-)]
-pub fn vsgl_shift_budget(light: Vsgl, position: Vec3, shift: f32) -> f32 {
-    let smaller = min(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness);
-    1e-7 + 1.1e-5 * abs(shift) + 1.5e-6 * sqrt(abs(shift) * smaller) + 1e-12 * smaller
-}
-
 /// Product of the region that a light fills with its emission, amplitude 1 each.
 ///
 /// `G(w; ξ_μ, D²/σ²) G(w; -ξ_v, k)`
@@ -362,30 +328,4 @@ pub fn vsgl_light(light: Vsgl, position: Vec3) -> VsglLight {
         log_shift: product.log_amplitude,
         density: light.intensity / (TWO_PI * (variance * (1.0 + product.sharpness))),
     }
-}
-
-/// Error permitted to what is computed from a light, relative to the integral of its radiance but for 2π.
-///
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-/// | `by_axis` | how much the result changes with the axis | 0 ..= 1e5 | 1 |
-///
-/// Returns the error: [`VsglLight::density`] with its shift, times what the rules permit to the exponent and to
-/// the cancellation of extent and emission.
-#[kernel(
-    family = "vsgl",
-    cite = "definition",
-    domain(position = -1e4..=1e4, by_axis = 0.0..=1e5),
-    budget(0.1 * result + 1e-10)
-)]
-pub fn vsgl_budget(light: Vsgl, position: Vec3, by_axis: f32) -> f32 {
-    let incoming = vsgl_light(light, position);
-    let larger = vsgl_larger(light, position);
-    let exponent = vsgl_shift_budget(light, position, incoming.log_shift);
-    let cancelled = 1.5e-5 * larger / (1.0 + incoming.sharpness);
-    let turned = 5e-6 * by_axis * larger / max(incoming.sharpness, 1e-6 * larger);
-    (2e-5 + cancelled + turned + exponent) * (incoming.density * exp(incoming.log_shift))
 }

@@ -1,6 +1,7 @@
 //! Diffuse reflection of a spherical-Gaussian light.
 
-use super::radiance::{Vsgl, vsgl_budget, vsgl_light};
+use super::budget::vsgl_budget;
+use super::radiance::{Vsgl, vsgl_light};
 use crate::constants::PI;
 use crate::hsg::hsg_cosine_product_integral;
 #[allow(unused_imports, reason = "citations link to them")]
