@@ -15,7 +15,7 @@ const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("sg_eval_paper", "a variant; equal to sg_eval in exact arithmetic"),
     ("sg_product_paper", "a variant; equal to sg_product in exact arithmetic"),
     ("hsg_steepness", "part of hsg_integral"),
-    ("hsg_upper_integral", "part of hsg_integral"),
+    ("hsg_upper_integral", "expm1_over_x times 2π; hsg_integral along the axis"),
     ("hsg_ratio", "part of hsg_integral"),
     ("hsg_integral_paper", "a variant; equal to hsg_integral in exact arithmetic"),
     ("clamped_cosine", "part of hsg_cosine_product_integral"),

@@ -11,7 +11,8 @@
 //!
 //! To shade with lobes: take the reflection lobe about the mirrored view (`lobe`), multiply the light's lobe with it
 //! ([`sg`](crate::sg), [`asg`](crate::asg)), and the result by what the lobe leaves out, evaluated in one direction:
-//! [`microfacet_m`](model::microfacet_m) with lobes of [`lobe`], whose amplitude is the distribution's peak;
+//! [`microfacet_m`](model::microfacet_m) times the light's cosine with lobes of [`lobe`], whose amplitude is the
+//! distribution's peak;
 //! [`microfacet_reflectance`](model::microfacet_reflectance), which has the peak and the light's cosine, with lobes of
 //! amplitude 1, as [`vsgl_specular`](crate::vsgl::vsgl_specular) has them.
 //!
@@ -20,6 +21,7 @@
 //! reflects on the side of its normal only. Reflectances are linear RGB. Local directions have the normal along `z`;
 //! densities are per solid angle.
 
+pub mod budget;
 pub mod fresnel;
 pub mod lobe;
 pub mod model;

@@ -8,8 +8,8 @@
 //! 3. [`moments_merge`] for two, [`moments_merge4`] for a step of a mip chain, in any order;
 //! 4. [`planar_variance`] of the spread of positions, [`moments_to_lobe`] of lobes.
 //!
-//! A lobe of sharpness `k` counts by its mean direction, of length `k/(k + 1)` ([Toksvig05]). [`toksvig_spread`] is what
-//! that lacks of 1, and [`toksvig_sharpness`] the way back: the same for a normal map's normals.
+//! A lobe of sharpness `k` counts by its mean direction, of length `k/(k + 1)` ([Toksvig05]). [`toksvig_spread`] is
+//! what that lacks of 1, and [`toksvig_sharpness`] the way back: the same for a normal map's normals.
 //!
 //! Conventions: weights are at least 0, and only their ratios matter to means and spreads; the spread of positions is
 //! the trace of their covariance, that of lobes one less the square of the mean direction's length. The forms that

@@ -7,23 +7,23 @@
 //!   glossy surfaces.
 //! - The method of [RectGlossy] puts a disk about the specular peak in place of the rectangle, and a lobe in place of
 //!   the disk. Prefer it where the lobe itself is wanted: it can be stored, filtered, and multiplied with any other
-//!   lobe, and it costs less.
-//! - [`diffuse`] is for matt surfaces and matt rectangles, which both leave out.
+//!   lobe; and it costs half as much.
+//! - [`diffuse`] is for matt surfaces and matt rectangles, for which neither has a formula.
 //!
 //! The method of [RectGlossy], in the order of its steps:
 //!
 //! | step | file | kernels | differs from the paper in |
 //! |---|---|---|---|
 //! | radiance at the peak | [`energy`] | `rect_radiance` | the factor `1/(π m²)` that eq. 17 lacks; lights add, where eq. 15 has their mean |
-//! | falloff around it, fitted | [`attenuation`] | `rect_attenuation`, `rect_falloff_fit` | nothing; the angle of eq. 24 is wrong for slanting light, `rect_psi` and `rect_falloff` are exact |
-//! | both, and the peak's direction | [`reflection`] | `rect_reflection` | |
-//! | place of the peak | [`peak`] | `rect_specular_peak` | |
+//! | falloff around it, fitted | [`attenuation`] | `rect_attenuation`, `rect_falloff_fit` | nothing: they fit eq. 23 with the angle of eq. 24, which is wrong for slanting light (`rect_psi`, `rect_falloff`) |
+//! | both, and the peak's direction | [`reflection`] | `rect_reflection` | nothing else |
+//! | place of the peak | [`peak`] | `rect_specular_peak` | nothing |
 //! | the disk's radius | [`disk`] | `rect_disk_radius` | a rule of our own: the paper leaves it open |
 //! | share that the rectangle covers | [`disk`] | `rect_coverage_bounds` | eq. 36 exceeds 1; `rect_coverage` is exact |
 //! | energy of the disk | [`energy`] | `rect_disk_energy` | the radius is taken over the distance; `rect_energy_ggx` needs no fit |
 //! | its lobe | [`light`] | `rect_asg_from_disk` | half extents over the distance, at most 4 (eq. 32 turns negative) |
 //! | one pixel | [`shade`] | `rect_shade` | half the sharpness in eq. 11, the mirror direction about the normal in eq. 8 |
-//! | all of them | [`chain`] | `rect_shade_light` | |
+//! | all of them | [`chain`] | `rect_shade_light` | nothing else |
 //!
 //! An engine calls `rect_reflection` once for each rectangle and light, `rect_disk_radius` and `rect_shade` for each
 //! pixel. What is printed differently stands beside each as `.._paper`; [`angle`] has the angles and logarithms that

@@ -20,6 +20,7 @@
 //! Conventions: the integrals are over directions of incidence at the viewed point; a sum over rectangles and lights
 //! is the caller's.
 
+pub mod budget;
 pub mod light;
 pub mod one_bounce;
 pub mod random;

@@ -1,18 +1,18 @@
-//! Virtual point lights, spherical lights and spherical-Gaussian lights: indirect light out of a reflective shadow map.
+//! Virtual point lights, spherical lights and spherical-Gaussian lights.
 //!
-//! Two papers.
+//! Indirect light out of a reflective shadow map, by two papers.
 //!
 //! [Tokuyoshi15] makes a light of each sampled texel, and weighs it by the cone that it fills:
 //!
 //! 1. sample: [`brsm_pdf`] chooses texels, [`vsl_mip_level`] the level at which they are read, [`brsm_weight`] weighs
 //!    them, [`vsl_radius`] makes a radius of the filtered positions (`sample`);
-//! 2. shade: [`vsgl_pair_radiance`] for each pair of the light's and the surface's lobes, [`vsgl_pair_radiance_diffuse`]
-//!    for a surface whose lobe is constant (`triple`, by the cone of `cone`);
+//! 2. shade: [`vsgl_pair_radiance`] for each pair of the light's and the surface's lobes,
+//!    [`vsgl_pair_radiance_diffuse`] for a surface whose lobe is constant (`triple`, by the cone of `cone`);
 //! 3. reduce the bias: where [`vsgl_smoothness`] is small, [`vsl_radiance`] of the reflectances themselves takes the
 //!    place of the lobes ([`vsgl_reduce_bias`]; `vsl`).
 //!
-//! [Tokuyoshi15b] makes two lights of the whole map, one of its diffuse and one of its glossy reflection. It is faster,
-//! and knows no more of the map than means and variances:
+//! [Tokuyoshi15b] makes two lights of the whole map, one of its diffuse and one of its glossy reflection. That is
+//! faster, and knows no more of the map than means and variances:
 //!
 //! 1. filter the map: [`moments_of_position`], [`moments_of_lobe`], [`moments_merge4`] of [`filter`](crate::filter);
 //! 2. make the light: [`vsgl_from_moments`] (`radiance`);
@@ -22,7 +22,7 @@
 //! Conventions: weights are scalars (luminances of power times reflectance); for colour, scale the result by the ratio
 //! of the coloured sum to the scalar one. Directions point from the shaded position to the light; a light's own axis
 //! points the way that it sends. Variances are those along one axis, which is half the trace for positions on a
-//! plane; only [`vsl_radius`] takes the trace. Nothing is shadowed.
+//! plane; [`vsl_radius`] is the one that takes the trace. Nothing is shadowed.
 //!
 //! [`moments_of_position`]: crate::filter::moments_of_position
 //! [`moments_of_lobe`]: crate::filter::moments_of_lobe
