@@ -33,8 +33,8 @@
 //!
 //! A form that a paper prints and that loses accuracy is kept beside the default as `.._paper` (or
 //! under its author's name), marked as not robust with the reason.
-//! Modules called `budget` hold what permitted errors are stated in; no kernel computes with it, and none of it is
-//! emitted.
+//! Modules called `budget` hold what permitted errors are stated in: no kernel computes with it, and none of
+//! it is emitted.
 //!
 //! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
 

@@ -3,17 +3,19 @@
 //! Lobes and positions are averaged the same way, by [`Moments`]: a weight, a mean relative to a point of the
 //! caller's choice, and a spread that never comes out of a difference. In the order of use:
 //!
-//! 1. choose an origin near the positions and a reference near the lobes' mean directions: one for all that is merged;
+//! 1. choose an origin near the positions and a reference near the lobes' mean directions: one for all that
+//!    is merged;
 //! 2. [`moments_of_position`], [`moments_of_lobe`] of each texel; [`moments_empty`] for none;
 //! 3. [`moments_merge`] for two, [`moments_merge4`] for a step of a mip chain, in any order;
 //! 4. [`planar_variance`] of the spread of positions, [`moments_to_lobe`] of lobes.
 //!
-//! A lobe of sharpness `k` counts by its mean direction, of length `k/(k + 1)` ([Toksvig05]). [`toksvig_spread`] is
-//! what that lacks of 1, and [`toksvig_sharpness`] the way back: the same for a normal map's normals.
+//! A lobe of sharpness `k` counts by its mean direction, of length `k/(k + 1)` ([Toksvig05]).
+//! [`toksvig_spread`] is what that lacks of 1, and [`toksvig_sharpness`] the way back: the same for a normal
+//! map's normals.
 //!
-//! Conventions: weights are at least 0, and only their ratios matter to means and spreads; the spread of positions is
-//! the trace of their covariance, that of lobes one less the square of the mean direction's length. The forms that
-//! subtract, as printed, are kept as `.._paper`.
+//! Conventions: weights are at least 0, and only their ratios matter to means and spreads; the spread of
+//! positions is the trace of their covariance, that of lobes one less the square of the mean direction's
+//! length. The forms that subtract, as printed, are kept as `.._paper`.
 
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::Toksvig05;

@@ -2,12 +2,12 @@
 //!
 //! Two methods, and a matt surface's share:
 //!
-//! - [`laplace`] is our own closed form: the integrand at one spot times an effective area. Against a numerical
-//!   integral it is off by a factor of 1.06, where the other method, corrected, is off by about 2. Prefer it for
-//!   glossy surfaces.
-//! - The method of [RectGlossy] puts a disk about the specular peak in place of the rectangle, and a lobe in place of
-//!   the disk. Prefer it where the lobe itself is wanted: it can be stored, filtered, and multiplied with any other
-//!   lobe; and it costs half as much.
+//! - [`laplace`] is our own closed form: the integrand at one spot times an effective area. Against a
+//!   numerical integral it is off by a factor of 1.06, where the other method, corrected, is off by about 2.
+//!   Prefer it for glossy surfaces.
+//! - The method of [RectGlossy] puts a disk about the specular peak in place of the rectangle, and a lobe in
+//!   place of the disk. Prefer it where the lobe itself is wanted: it can be stored, and multiplied with any
+//!   other lobe; and it costs about half as much.
 //! - [`diffuse`] is for matt surfaces and matt rectangles, for which neither has a formula.
 //!
 //! The method of [RectGlossy], in the order of its steps:
@@ -25,13 +25,13 @@
 //! | one pixel | [`shade`] | `rect_shade` | half the sharpness in eq. 11, the mirror direction about the normal in eq. 8 |
 //! | all of them | [`chain`] | `rect_shade_light` | nothing else |
 //!
-//! An engine calls `rect_reflection` once for each rectangle and light, `rect_disk_radius` and `rect_shade` for each
-//! pixel. What is printed differently stands beside each as `.._paper`; [`angle`] has the angles and logarithms that
-//! the languages leave imprecise, [`budget`] what the permitted errors are measured by.
+//! An engine calls `rect_reflection` once for each rectangle and light, `rect_disk_radius` and `rect_shade`
+//! for each pixel. What is printed differently stands beside each as `.._paper`; [`angle`] has the angles and
+//! logarithms that the languages leave imprecise, [`budget`] what the permitted errors are measured by.
 //!
-//! Conventions: lengths in m; a rectangle reflects on the side of its normal; directions point away from where they
-//! are used, the light's to the light; `σ` is its angle of incidence on the rectangle; `m`, `alpha`, is the width
-//! of a GGX distribution. Reflectances leave the distribution out. Nothing is shadowed.
+//! Conventions: lengths in m; a rectangle reflects on the side of its normal; directions point away from
+//! where they are used, the light's to the light; `σ` is its angle of incidence on the rectangle; `m`,
+//! `alpha`, is the width of a GGX distribution. Reflectances leave the distribution out. Nothing is shadowed.
 
 pub mod angle;
 pub mod attenuation;

@@ -1,8 +1,9 @@
 //! Scales that the budgets are stated in. No kernel computes with them.
 
+use super::Vsgl;
 #[allow(unused_imports, reason = "the documentation links to it")]
 use super::radiance::VsglLight;
-use super::radiance::{Vsgl, vsgl_extent_sharpness, vsgl_light};
+use super::radiance::{vsgl_extent_sharpness, vsgl_light};
 #[allow(unused_imports, reason = "the documentation links to it")]
 use super::triple::asg_sg_sg_product_integral;
 use crate::asg::Asg;
