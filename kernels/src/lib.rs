@@ -2,7 +2,19 @@
 //!
 //! Every kernel is an ordinary Rust function, and a definition that `lobe-codegen` turns into WGSL,
 //! SPIR-V and HLSL.
-//! One file a subject; [`registry`] is the only list.
+//! One file a subject; [`registry`] is the only list of what is emitted.
+//!
+//! | file | what | sources |
+//! |---|---|---|
+//! | [`special`], [`constants`] | functions that shading languages lack; multiples of π | [Higham02] |
+//! | [`sg`] | spherical Gaussians: value, integral, product | [Wang09], [Tokuyoshi22] |
+//! | [`hsg`] | the same over a hemisphere, and against the clamped cosine: diffuse light | [Tokuyoshi22] |
+//! | [`asg`] | anisotropic ones | [Xu13] |
+//! | [`brdf`] | reflectance, its lobes, its sampling | [Walter07], [Heitz14] |
+//! | [`filter`] | averages of lobes and positions | [Toksvig05], [Chan83] |
+//! | [`vsgl`] | indirect light by virtual lights | [Tokuyoshi15], [Tokuyoshi15b] |
+//! | [`rect`] | indirect light off a glossy rectangle | [RectGlossy], our own |
+//! | [`reference`](mod@reference) | the truth by sampling | [Veach97], [Pharr23] |
 //!
 //! Conventions, everywhere: directions are unit vectors that point away from the point they are used
 //! at; a spherical Gaussian is `G(w; v, k) = exp(log_amplitude + k (w·v - 1))`, its sharpness `k >= 0`;
@@ -21,8 +33,16 @@
 //!
 //! A form that a paper prints and that loses accuracy is kept beside the default as `.._paper` (or
 //! under its author's name), marked as not robust with the reason.
+//! Modules called `budget` hold what permitted errors are stated in: no kernel computes with it, and none of
+//! it is emitted.
 //!
 //! Citations, as `[Wang09]`, are listed in [`references`](mod@references).
+
+#[allow(unused_imports, reason = "citations link to them")]
+use references::{
+    Chan83, Heitz14, Higham02, Pharr23, RectGlossy, Toksvig05, Tokuyoshi15, Tokuyoshi15b, Tokuyoshi22,
+    Veach97, Walter07, Wang09, Xu13,
+};
 
 pub mod asg;
 pub mod brdf;

@@ -1,7 +1,9 @@
 //! The list of all kernels. What is not here is not emitted, checked or documented by the tools, and a
 //! test says so.
 
-use crate::rect::{angle, attenuation, diffuse, disk, energy, laplace, light, peak, shade};
+use crate::rect::{
+    angle, attenuation, chain, diffuse, disk, energy, laplace, light, peak, reflection, shade,
+};
 use crate::{asg, brdf, filter, hsg, reference, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
@@ -120,7 +122,6 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     filter::moments_of_position,
     filter::moments_of_lobe,
     filter::moments_merge,
-    filter::moments_distance4,
     filter::moments_merge4,
     filter::moments_to_lobe,
     filter::moments_to_lobe_paper,
@@ -151,21 +152,19 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     reference::one_bounce::one_bounce_sample,
     reference::one_bounce::one_bounce_density,
     reference::one_bounce::one_bounce_estimate,
-    shade::rect_reflected,
-    shade::rect_reflection,
-    shade::rect_reflection_paper,
+    reflection::rect_reflected,
+    reflection::rect_reflection,
+    reflection::rect_reflection_paper,
     shade::rect_shade_within,
-    shade::rect_shade_error,
     shade::rect_shade,
-    shade::rect_shade_light,
-    shade::rect_shade_light_unlimited,
-    shade::rect_shade_light_paper,
+    chain::rect_shade_light,
+    chain::rect_shade_light_unlimited,
+    chain::rect_shade_light_paper,
     vsgl::vsl_cone,
     vsgl::vsl_cone_paper,
     vsgl::vsl_window,
     vsgl::asg_convolved_at,
     vsgl::product_components,
-    vsgl::asg_sg_sg_budget,
     vsgl::asg_sg_sg_product_integral,
     vsgl::vsgl_pair_radiance,
     vsgl::vsgl_pair_radiance_diffuse,
@@ -186,20 +185,16 @@ pub const KERNELS: &[FunctionRef] = &kernels![
     vsgl::vsgl_distance2,
     vsgl::vsgl_variance,
     vsgl::vsgl_extent_sharpness,
-    vsgl::vsgl_larger,
-    vsgl::vsgl_shift_budget,
     vsgl::vsgl_region,
     vsgl::vsgl_incoming,
     vsgl::vsgl_incoming_paper,
     vsgl::vsgl_light,
-    vsgl::vsgl_budget,
     vsgl::vsgl_diffuse,
     vsgl::vsgl_diffuse_paper,
     vsgl::vsgl_specular,
     vsgl::vsgl_specular_axis,
     diffuse::rect_diffuse_glossy,
     diffuse::polygon_edge,
-    diffuse::rect_form_factor_error,
     diffuse::rect_form_factor,
     diffuse::rect_diffuse_matt,
 ];

@@ -11,6 +11,7 @@ use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::attenuation::{
     rect_attenuation, rect_falloff, rect_falloff_fit, rect_falloff_paper, rect_psi_paper,
 };
+use lobe_kernels::rect::chain::{rect_shade_light, rect_shade_light_paper};
 use lobe_kernels::rect::diffuse::{rect_diffuse_glossy, rect_form_factor};
 use lobe_kernels::rect::disk::{
     rect_coverage, rect_coverage_bounds, rect_coverage_paper, rect_disk_area, rect_disk_bounds,
@@ -21,10 +22,8 @@ use lobe_kernels::rect::light::{
     rect_asg_from_disk, rect_bandwidth_paper, rect_bandwidth_slope, rect_disk_frame,
 };
 use lobe_kernels::rect::peak::rect_specular_peak;
-use lobe_kernels::rect::shade::{
-    DistantLight, GlossyReceiver, Reflection, rect_reflection, rect_shade, rect_shade_light,
-    rect_shade_light_paper,
-};
+use lobe_kernels::rect::reflection::{DistantLight, Reflection, rect_reflection};
+use lobe_kernels::rect::shade::{GlossyReceiver, rect_shade};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,6 +1,7 @@
 //! The model: a Lambertian lobe and a glossy one of GGX facets, split into the distribution and the rest.
 
 use super::Material;
+use super::budget::{largest, surface_error};
 use super::fresnel::fresnel_schlick_between;
 use super::ndf::ggx_ndf_between;
 use super::visibility::{smith_g2, smith_root, smith_visibility};
@@ -203,17 +204,4 @@ pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -
     let is_seen = dot(normal, light) > 0.0 && dot(normal, view) > 0.0;
     let diffuse = select(Vec3::ZERO, lambert_brdf(material.diffuse_albedo), is_seen);
     diffuse + microfacet_brdf(material.f0, material.f90, material.alpha, normal, light, view)
-}
-
-/// The permitted error of [`surface_transfer`]: that of the cosines, and that of the distribution.
-#[kernel]
-pub(crate) fn surface_error(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
-    let lobe = ggx_ndf_between(normal, light, view, material.alpha) * max(largest(material.f0), material.f90);
-    5e-7 + (1e-6 + 2e-6 / material.alpha) * lobe
-}
-
-/// The largest channel of a colour.
-#[kernel]
-pub(crate) fn largest(colour: Vec3) -> f32 {
-    max(max(colour.x, colour.y), colour.z)
 }

@@ -1,5 +1,6 @@
 //! Weighted means and spreads, merged without cancellation.
 
+use super::budget::moments_distance4;
 use super::toksvig::{toksvig_length_paper, toksvig_sharpness_paper, toksvig_spread};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Chan83, Toksvig05, Tokuyoshi15, Tokuyoshi15b};
@@ -159,23 +160,6 @@ pub fn moments_merge(a: Moments, b: Moments) -> Moments {
 )]
 pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments {
     moments_merge(moments_merge(a, b), moments_merge(c, d))
-}
-
-/// Root of the weighted mean square of the distances of four means from their origin.
-///
-/// What the rounding of [`moments_merge4`] is measured by. Source: the definition.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `a`, `b`, `c`, `d` | moments about the same origin or reference | weight 0 ..= 1e6 | as of the moments |
-///
-/// Returns the distance, at least 0; 0 for empty sets.
-#[kernel(family = "filter", cite = "definition", budget(3e-6 * result + 1e-5))]
-pub fn moments_distance4(a: Moments, b: Moments, c: Moments, d: Moments) -> f32 {
-    let total = max(a.weight + b.weight + c.weight + d.weight, 1e-20);
-    let ab = a.weight / total * dot(a.mean, a.mean) + b.weight / total * dot(b.mean, b.mean);
-    let cd = c.weight / total * dot(c.mean, c.mean) + d.weight / total * dot(d.mean, d.mean);
-    sqrt(ab + cd)
 }
 
 /// The lobe that stands for the lobes of which these are the moments.

@@ -4,6 +4,7 @@ use crate::constants::PI;
 use crate::hsg::hsg_cosine_product_integral;
 use crate::rect::Rectangle;
 use crate::rect::angle::angle_over_sine;
+use crate::rect::budget::rect_form_factor_error;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Lambert1760, RectGlossy, Tokuyoshi22};
 use crate::sg::{Sg, sg_integral};
@@ -84,41 +85,6 @@ pub fn polygon_edge(start: Vec3, edge: Vec3, normal: Vec3) -> f32 {
     let sine = sqrt(dot(across, across));
     let blunt = PI / max(sine, 1e-6) - sharp;
     clamp(dot(normal, across) * select(sharp, blunt, cosine < 0.0), -PI, PI)
-}
-
-/// How wrong rounding may make [`rect_form_factor`]: its budget.
-///
-/// It grows for positions near the rectangle's plane, from where its edges are long, and where the horizon cuts the
-/// rectangle almost along one of its sides. It is 1 where drivers may turn a side that is level to 1e-6 either way:
-/// both ways give the same part of the rectangle, of which a bound knows nothing.
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `rectangle` | the rectangle | positions -100 ..= 100, half sides 1e-3 ..= 100 | m |
-/// | `position` | of the element | -100 ..= 100 | m |
-/// | `normal` | unit normal of the element | sphere | 1 |
-///
-/// Returns the error of the form factor.
-#[kernel(
-    family = "rect",
-    cite = "our own",
-    domain(position = -100.0..=100.0, normal = unit),
-    budget(1e30)
-)]
-pub fn rect_form_factor_error(rectangle: Rectangle, position: Vec3, normal: Vec3) -> f32 {
-    let middle = rectangle.position - position;
-    let reach = length(middle) + rectangle.half_x + rectangle.half_y;
-    let height = max(abs(dot(middle, rectangle.normal)), 1e-12);
-    let rise_x = dot(rectangle.tangent, normal);
-    let rise_y = dot(cross(rectangle.normal, rectangle.tangent), normal);
-    let x = abs(rise_x) * rectangle.half_x;
-    let y = abs(rise_y) * rectangle.half_y;
-    let is_turned_anyhow = min(abs(rise_x + LEVEL), abs(rise_y + LEVEL)) < 5e-7;
-    let is_cut = abs(dot(middle, normal)) < x + y + 1e-6 * reach;
-    3e-6 + 3e-6 * reach / height
-        + select(0.0, 3e-6 * reach / max(min(x, y), 1e-12) * (1.0 + 0.1 * reach / height), is_cut)
-        + select(0.0, 1.0, is_turned_anyhow)
 }
 
 /// Form factor from a surface element to a rectangle: the irradiance that it receives over the rectangle's radiosity.

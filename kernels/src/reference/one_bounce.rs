@@ -5,13 +5,15 @@
 //! squared distance, per area of the rectangle.
 
 use crate::brdf::Material;
-use crate::brdf::model::{largest, surface_brdf_cosine, surface_error, surface_transfer};
+use crate::brdf::budget::largest;
+use crate::brdf::model::{surface_brdf_cosine, surface_transfer};
 use crate::brdf::ndf::ggx_ndf_between;
 use crate::brdf::sampling::{
     cosine_hemisphere_pdf, cosine_sample_hemisphere, frame_to_local, frame_to_world, ggx_half_vector_pdf,
     ggx_sample_half_vector, ggx_sample_visible_normal, ggx_visible_normal_pdf, mirror, orthonormal_frame,
 };
 use crate::rect::Rectangle;
+use crate::reference::budget::{density_error, least_density, transfer_error, turned_transfer_error};
 use crate::reference::rectangle::rectangle_point;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{RectGlossy, Veach97};
@@ -241,75 +243,9 @@ pub fn one_bounce_estimate(bounce: OneBounce, dir: Vec3, dist: f32) -> Vec3 {
     one_bounce_transfer(bounce, dir) / max(one_bounce_density(bounce, dir, dist), 1e-20)
 }
 
-/// The permitted error of [`one_bounce_transfer`]: the product's, out of those of its factors.
-#[kernel]
-fn transfer_error(bounce: OneBounce, dir: Vec3) -> f32 {
-    let receiver_error = surface_error(bounce.material, bounce.normal, dir, bounce.view);
-    let reflector_error =
-        surface_error(bounce.rectangle_material, bounce.rectangle.normal, bounce.light, -dir);
-    0.6 * product_error(bounce, dir, receiver_error, reflector_error)
-}
-
-/// The same for a direction that was itself computed.
-#[kernel]
-fn turned_transfer_error(bounce: OneBounce, dir: Vec3) -> f32 {
-    let normal = bounce.rectangle.normal;
-    let receiver_error = surface_error(bounce.material, bounce.normal, dir, bounce.view)
-        + turn_error(bounce.material, bounce.normal, dir, bounce.view);
-    let reflector_error = surface_error(bounce.rectangle_material, normal, bounce.light, -dir)
-        + turn_error(bounce.rectangle_material, normal, bounce.light, -dir);
-    1.5 * product_error(bounce, dir, receiver_error, reflector_error)
-}
-
-/// What turning a direction by 3e-7 does to [`surface_transfer`]: the half vector of nearly opposite directions
-/// turns by more.
-#[kernel]
-fn turn_error(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
-    let squared = dot(light + view, light + view);
-    let alpha = material.alpha;
-    let turned =
-        1e-6 / alpha * inverse_sqrt(max(squared, 1e-12)) * ggx_ndf_between(normal, light, view, alpha);
-    let grazing = select(0.0, 1.5e-6 / (alpha * alpha * alpha), squared < 1e-6);
-    max(largest(material.f0), material.f90) * (turned + grazing)
-}
-
-/// The error of the product of the receiver's and the reflector's part.
-#[kernel]
-fn product_error(bounce: OneBounce, dir: Vec3, receiver_error: f32, reflector_error: f32) -> f32 {
-    let receiver = largest(surface_brdf_cosine(bounce.material, bounce.normal, dir, bounce.view));
-    let error = receiver_error / max(dot(bounce.normal, bounce.view), 1e-4);
-    let reflector =
-        largest(surface_transfer(bounce.rectangle_material, bounce.rectangle.normal, bounce.light, -dir));
-    (receiver + error) * reflector_error + error * reflector + 1e-6 * receiver * reflector
-}
-
-/// The permitted error of [`one_bounce_density`].
-#[kernel]
-fn density_error(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
-    let alpha = bounce.material.alpha;
-    let normal = bounce.rectangle.normal;
-    let material = bounce.rectangle_material;
-    let sum = bounce.light - dir;
-    let by_light = ggx_half_vector_pdf(material.alpha, normal, -dir, bounce.light)
-        + 2.0
-            * ggx_ndf_between(normal, bounce.light, -dir, material.alpha)
-            * inverse_sqrt(max(dot(sum, sum), 1e-6));
-    let by_normal = ggx_visible_normal_pdf(alpha, bounce.normal, dir, bounce.view);
-    (4e-6 + 1.2e-6 / alpha + 1.2e-6 / material.alpha) * one_bounce_density(bounce, dir, dist)
-        + 6e-8 * (1.0 + by_normal + by_light)
-}
-
 /// The direction of [`one_bounce_area_integrand`].
 #[kernel]
 fn direction_to(bounce: OneBounce, place: Vec3) -> Vec3 {
     let offset = place - bounce.position;
     offset * inverse_sqrt(max(dot(offset, offset), 1e-8))
-}
-
-/// The least that a driver may find for [`one_bounce_density`]: its share by area has no cosine that could vanish.
-#[kernel]
-fn least_density(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
-    let by_area = (dist / bounce.rectangle.half_x) * (dist / bounce.rectangle.half_y);
-    let lowered = one_bounce_density(bounce, dir, dist) - density_error(bounce, dir, dist);
-    max(max(lowered, 0.06 * by_area), 1e-20)
 }

@@ -1,32 +1,12 @@
-//! A set of virtual point lights as one light, and the radiance that comes from it.
+//! The radiance that comes from a spherical-Gaussian light.
 
+use super::Vsgl;
+use super::budget::{vsgl_larger, vsgl_shift_budget};
 use crate::constants::TWO_PI;
-use crate::filter::{Moments, moments_to_lobe, planar_variance};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Tokuyoshi15b, Xu14};
-use crate::sg::{Sg, sg_integral, sg_product};
+use crate::sg::{Sg, sg_product};
 use lobe_codegen::prelude::*;
-
-/// A virtual spherical-Gaussian light: radiant intensity `intensity G(w; axis, sharpness)`, from positions with
-/// an isotropic Gaussian distribution.
-#[kernel]
-pub struct Vsgl {
-    /// Mean of the positions.
-    #[domain(-1e4..=1e4)]
-    pub mean: Vec3,
-    /// Variance of the positions along one axis.
-    #[domain(0.0..=1e4)]
-    pub variance: f32,
-    /// Unit axis of the emission.
-    #[domain(unit)]
-    pub axis: Vec3,
-    /// Sharpness of the emission.
-    #[domain(0.0..=1e6)]
-    pub sharpness: f32,
-    /// Radiant intensity along the axis.
-    #[domain(0.0..=1e6)]
-    pub intensity: f32,
-}
 
 /// Incoming radiance `(1 + sharpness) density e^log_shift G(w; axis, sharpness)`.
 #[kernel]
@@ -43,91 +23,6 @@ pub struct VsglLight {
     /// Radiance at the peak over `1 + sharpness`, before the shift.
     #[domain(0.0..=1e6)]
     pub density: f32,
-}
-
-/// Radiant intensity along the axis of a light of a given power.
-///
-/// `c = W/A(k)`, `A` = [`sg_integral`]
-/// Source: [Tokuyoshi15b] section 2.1.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `weight` | sum of power times reflectance, `W` | 0 ..= 1e6 | power |
-/// | `sharpness` | `k` | 0 ..= 1e6 | 1 |
-///
-/// Returns the intensity in power/sr, at least 0.
-#[kernel(
-    family = "vsgl",
-    cite = "[Tokuyoshi15b] section 2.1",
-    domain(weight = 0.0..=1e6, sharpness = 0.0..=1e6),
-    budget(3e-6 * result + 1e-32)
-)]
-pub fn vsgl_intensity(weight: f32, sharpness: f32) -> f32 {
-    weight / max(sg_integral(sharpness), 1e-30)
-}
-
-/// The light that stands for virtual point lights, by their moments.
-///
-/// Source: [Tokuyoshi15b] section 2, with half the trace for the variance ([`planar_variance`]).
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `positions`, `origin` | moments of the positions, and their origin | within 1e4 | length |
-/// | `lobes`, `reference` | moments of the emission lobes, and their reference | spread 1e-7 ..= 1 | 1 |
-///
-/// Returns the light. One each for diffuse and specular reflection; a diffuse lobe counts as a sharpness of 2
-/// about the normal, which has the mean direction of the clamped cosine.
-#[kernel(
-    family = "vsgl",
-    cite = "[Tokuyoshi15b] section 2",
-    domain(
-        origin = -1e4..=1e4, reference = -1.0..=1.0,
-        lobes.mean = -1.0..=1.0, lobes.spread = 1e-7..=1.0
-    ),
-    budget(
-        mean = 2e-7 * length(origin + positions.mean) + 1e-37,
-        variance = 1e-37,
-        axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
-        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
-        intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
-    )
-)]
-pub fn vsgl_from_moments(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
-    let lobe = moments_to_lobe(lobes, reference);
-    Vsgl {
-        mean: origin + positions.mean,
-        variance: planar_variance(positions.spread),
-        axis: lobe.axis,
-        sharpness: lobe.sharpness,
-        intensity: vsgl_intensity(lobes.weight, lobe.sharpness),
-    }
-}
-
-/// The light that stands for virtual point lights, as printed.
-///
-/// The variance is the trace of the covariance. Source: [Tokuyoshi15b] section 2.2. Arguments and domain as of
-/// [`vsgl_from_moments`].
-///
-/// Returns a light that is too large, by √2 in radius, and so too dark from near: of disks of VPLs with radius
-/// 0.1, 0.3 and 1 times the distance it gives 0.968, 0.930 and 0.731 of their light.
-#[kernel(
-    family = "vsgl",
-    cite = "[Tokuyoshi15b] section 2.2",
-    domain(
-        origin = -1e4..=1e4, reference = -1.0..=1.0,
-        lobes.mean = -1.0..=1.0, lobes.spread = 1e-7..=1.0
-    ),
-    budget(
-        mean = 2e-7 * length(origin + positions.mean) + 1e-37,
-        variance = 1e-37,
-        axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
-        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
-        intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
-    ),
-    variant_of = vsgl_from_moments
-)]
-pub fn vsgl_from_moments_paper(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
-    Vsgl { variance: positions.spread, ..vsgl_from_moments(positions, origin, lobes, reference) }
 }
 
 /// Sharpness of the region that a light fills, seen from a point.
@@ -195,41 +90,6 @@ pub fn vsgl_distance2(mean: Vec3, position: Vec3) -> f32 {
 )]
 pub fn vsgl_variance(variance: f32, d2: f32) -> f32 {
     max(variance, max(1e-30 * d2, 1e-26))
-}
-
-/// The larger sharpness of a light: of the region that it fills or of its emission.
-///
-/// What the cancellation of the two is measured by. Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-///
-/// Returns the sharpness, at least 1e-30.
-#[kernel(family = "vsgl", cite = "definition", domain(position = -1e4..=1e4), budget(2e-6 * result + 1e-11))]
-pub fn vsgl_larger(light: Vsgl, position: Vec3) -> f32 {
-    max(max(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness), 1e-30)
-}
-
-/// Error permitted to the exponent that the product of a light's region with its emission leaves.
-///
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-/// | `shift` | the exponent | -4e6 ..= 0 | 1 |
-///
-/// Returns the error: relative, and that of the axis towards the light, times the smaller sharpness.
-#[kernel(
-    family = "vsgl",
-    cite = "definition",
-    domain(position = -1e4..=1e4, shift = -4e6..=0.0),
-    budget(1e-3 * result)
-)]
-pub fn vsgl_shift_budget(light: Vsgl, position: Vec3, shift: f32) -> f32 {
-    let smaller = min(vsgl_extent_sharpness(light.mean, light.variance, position), light.sharpness);
-    1e-7 + 1.1e-5 * abs(shift) + 1.5e-6 * sqrt(abs(shift) * smaller) + 1e-12 * smaller
 }
 
 /// Product of the region that a light fills with its emission, amplitude 1 each.
@@ -362,30 +222,4 @@ pub fn vsgl_light(light: Vsgl, position: Vec3) -> VsglLight {
         log_shift: product.log_amplitude,
         density: light.intensity / (TWO_PI * (variance * (1.0 + product.sharpness))),
     }
-}
-
-/// Error permitted to what is computed from a light, relative to the integral of its radiance but for 2π.
-///
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `light`, `position` | as of [`vsgl_light`] | as there | as there |
-/// | `by_axis` | how much the result changes with the axis | 0 ..= 1e5 | 1 |
-///
-/// Returns the error: [`VsglLight::density`] with its shift, times what the rules permit to the exponent and to
-/// the cancellation of extent and emission.
-#[kernel(
-    family = "vsgl",
-    cite = "definition",
-    domain(position = -1e4..=1e4, by_axis = 0.0..=1e5),
-    budget(0.1 * result + 1e-10)
-)]
-pub fn vsgl_budget(light: Vsgl, position: Vec3, by_axis: f32) -> f32 {
-    let incoming = vsgl_light(light, position);
-    let larger = vsgl_larger(light, position);
-    let exponent = vsgl_shift_budget(light, position, incoming.log_shift);
-    let cancelled = 1.5e-5 * larger / (1.0 + incoming.sharpness);
-    let turned = 5e-6 * by_axis * larger / max(incoming.sharpness, 1e-6 * larger);
-    (2e-5 + cancelled + turned + exponent) * (incoming.density * exp(incoming.log_shift))
 }

@@ -1,6 +1,8 @@
 //! Diffuse reflection of a spherical-Gaussian light.
 
-use super::radiance::{Vsgl, vsgl_budget, vsgl_light};
+use super::Vsgl;
+use super::budget::vsgl_budget;
+use super::radiance::vsgl_light;
 use crate::constants::PI;
 use crate::hsg::hsg_cosine_product_integral;
 #[allow(unused_imports, reason = "citations link to them")]

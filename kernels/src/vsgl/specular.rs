@@ -1,6 +1,8 @@
 //! Specular reflection of a spherical-Gaussian light.
 
-use super::radiance::{Vsgl, vsgl_budget, vsgl_light, vsgl_region};
+use super::Vsgl;
+use super::budget::vsgl_budget;
+use super::radiance::{vsgl_light, vsgl_region};
 use crate::asg::asg_sg_peak;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Tokuyoshi15b, Wang09, Xu13};

@@ -1,5 +1,6 @@
 //! The product integral of an anisotropic lobe and two isotropic ones.
 
+use super::budget::asg_sg_sg_budget;
 use super::cone::{LN_2, vsl_cone, vsl_window};
 use crate::asg::{Asg, asg_sg_peak};
 #[allow(unused_imports, reason = "citations link to them")]
@@ -107,31 +108,6 @@ pub fn product_components(asg: Asg, v: Sg, l: Sg) -> Vec3 {
         (rv * dot(from_v, asg.y) + rl * dot(from_l, asg.y)) / norm,
         (rv * dot(v.axis, asg.z) + rl * dot(l.axis, asg.z)) / norm,
     )
-}
-
-/// Relative error permitted to the products of an anisotropic and two isotropic lobes, times their amplitudes.
-///
-/// Source: our own.
-///
-/// | argument | meaning | domain | unit |
-/// |---|---|---|---|
-/// | `asg`, `v`, `l` | the lobes | of [`asg_sg_sg_product_integral`] | 1 |
-///
-/// Returns the error against [`asg_sg_peak`].
-#[kernel(
-    family = "vsgl",
-    cite = "definition",
-    domain(asg.lambda = 0.1..=1e6, asg.mu = 0.1..=1e6),
-    budget(0.5 * result + 1e-30)
-)]
-pub fn asg_sg_sg_budget(asg: Asg, v: Sg, l: Sg) -> f32 {
-    let product = sg_product(v, l);
-    let largest = max(max(v.sharpness, l.sharpness), 1e-30);
-    let roots = 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu));
-    let logs = 4e-6 * abs(product.log_amplitude) + 2e-6 * (abs(v.log_amplitude) + abs(l.log_amplitude));
-    let cancelled = 4e-6 * largest / max(product.sharpness, 1e-6 * largest);
-    let amplitude = asg.amplitude * exp(product.log_amplitude);
-    (1e-5 + roots + logs + cancelled) * amplitude
 }
 
 /// Radiance reflected towards the viewer out of one pair of lobes, receiver's and light's.
