@@ -7,7 +7,6 @@ use lobe_codegen::emit::{Options, Target, emit};
 use lobe_codegen::glam::{DVec3, Mat3, Quat};
 use lobe_codegen::prelude::*;
 use lobe_kernels::asg::asg_integral_paper;
-use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::attenuation::{
     rect_attenuation, rect_falloff, rect_falloff_fit, rect_falloff_paper, rect_psi_paper,
 };
@@ -23,7 +22,8 @@ use lobe_kernels::rect::light::{
 };
 use lobe_kernels::rect::peak::rect_specular_peak;
 use lobe_kernels::rect::reflection::{DistantLight, Reflection, rect_reflection};
-use lobe_kernels::rect::shade::{GlossyReceiver, rect_shade};
+use lobe_kernels::rect::shade::rect_shade;
+use lobe_kernels::rect::{GlossyReceiver, Rectangle};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -4,19 +4,19 @@
 //! Each test draws its cases from a seed that it prints; `LOBE_SEED=n` repeats a run.
 
 use lobe_codegen::glam::{DVec3, Mat3, Quat, Vec3};
-use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::laplace::{
-    Receiver, Reflector, rect_laplace, rect_laplace_bitangent, rect_laplace_ceiling, rect_laplace_fast,
+    Reflector, rect_laplace, rect_laplace_bitangent, rect_laplace_ceiling, rect_laplace_fast,
     rect_laplace_fast_sg, rect_laplace_integral, rect_laplace_receiver, rect_laplace_reflector,
     rect_laplace_sg,
 };
+use lobe_kernels::rect::{GlossyReceiver, Rectangle};
 use lobe_tests::cases::Cases;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::PI;
 
-type Scene = (Rectangle, Reflector, Receiver);
-type Kernel = fn(Rectangle, Reflector, Receiver) -> f32;
+type Scene = (Rectangle, Reflector, GlossyReceiver);
+type Kernel = fn(Rectangle, Reflector, GlossyReceiver) -> f32;
 
 const ALL: [(&str, Kernel); 4] = [
     ("rect_laplace", rect_laplace),
@@ -71,8 +71,12 @@ fn lit(alpha: f32) -> impl Strategy<Value = Scene> {
             let mirror = 2.0 * normal.dot(towards) * normal - towards;
             let view_dir = (mirror + 0.4 * v).normalize();
             let light_dir = Vec3::new(light.x, light.y, light.z.abs() + 0.05).normalize();
-            let reflector = Reflector { alpha: mr, reflectance: 0.7, light_dir, irradiance: 2.0 };
-            (rectangle, reflector, Receiver { position, normal, view_dir, alpha: mx, reflectance: 0.4 })
+            let reflector = Reflector { alpha: mr, reflectance: 0.7, light: light_dir, irradiance: 2.0 };
+            (
+                rectangle,
+                reflector,
+                GlossyReceiver { position, normal, view: view_dir, alpha: mx, reflectance: 0.4 },
+            )
         },
     )
 }
@@ -88,9 +92,9 @@ fn moved((a, b, c): Scene, turn: Mat3, scale: f32, shift: Vec3) -> Scene {
         half_x: a.half_x * scale,
         half_y: a.half_y * scale,
     };
-    let reflector = Reflector { light_dir: dir(b.light_dir), ..b };
+    let reflector = Reflector { light: dir(b.light), ..b };
     let receiver =
-        Receiver { position: place(c.position), normal: dir(c.normal), view_dir: dir(c.view_dir), ..c };
+        GlossyReceiver { position: place(c.position), normal: dir(c.normal), view: dir(c.view), ..c };
     (rectangle, reflector, receiver)
 }
 
@@ -149,19 +153,19 @@ fn the_axes_of_the_rectangle_can_be_exchanged() {
 fn nothing_arrives_from_behind() {
     check(lit(0.05), |(a, b, c)| {
         let dark = [
-            (a, Reflector { light_dir: b.light_dir * Vec3::new(1.0, 1.0, -1.0), ..b }, c),
-            (a, b, Receiver { position: c.position * Vec3::new(1.0, 1.0, -1.0), ..c }),
-            (a, b, Receiver { view_dir: -c.view_dir, ..c }),
-            (a, b, Receiver { normal: Vec3::Z, view_dir: Vec3::Z, ..c }),
+            (a, Reflector { light: b.light * Vec3::new(1.0, 1.0, -1.0), ..b }, c),
+            (a, b, GlossyReceiver { position: c.position * Vec3::new(1.0, 1.0, -1.0), ..c }),
+            (a, b, GlossyReceiver { view: -c.view, ..c }),
+            (a, b, GlossyReceiver { normal: Vec3::Z, view: Vec3::Z, ..c }),
             (a, Reflector { irradiance: 0.0, ..b }, c),
         ];
         for (a, b, c) in dark {
-            prop_assume!(c.normal.dot(c.view_dir) < 0.0 || c.view_dir != -c.normal);
+            prop_assume!(c.normal.dot(c.view) < 0.0 || c.view != -c.normal);
             for (name, kernel) in ALL {
                 let value = kernel(a, b, c);
-                let is_behind = c.normal.dot(c.view_dir) <= 0.0
+                let is_behind = c.normal.dot(c.view) <= 0.0
                     || c.position.z <= 0.0
-                    || b.light_dir.z <= 0.0
+                    || b.light.z <= 0.0
                     || c.normal == Vec3::Z
                     || b.irradiance == 0.0;
                 prop_assert!(!is_behind || value == 0.0, "{name}: {value}");
@@ -188,7 +192,8 @@ fn nothing_is_negative_or_nan() {
             let graze = if near == 0.0 { i } else { (n.cross(i) + 10.0_f32.powf(near) * n).normalize() };
             let reflector = Reflector { alpha: mr, reflectance: 1.0, light_dir: graze, irradiance: 1.0 };
             for view_dir in [o, t, i] {
-                let receiver = Receiver { position: q, normal: t, view_dir, alpha: mx, reflectance: 1.0 };
+                let receiver =
+                    GlossyReceiver { position: q, normal: t, view_dir, alpha: mx, reflectance: 1.0 };
                 for (name, kernel) in ALL {
                     let value = kernel(rectangle, reflector, receiver);
                     prop_assert!(value >= 0.0, "{name}: {value} at {rectangle:?} {reflector:?} {receiver:?}");
@@ -206,7 +211,7 @@ fn radiance_is_linear_in_irradiance_and_reflectances() {
             let value = kernel(a, b, c);
             let brighter =
                 Reflector { irradiance: 2.0 * b.irradiance, reflectance: 4.0 * b.reflectance, ..b };
-            let more = kernel(a, brighter, Receiver { reflectance: 2.0 * c.reflectance, ..c });
+            let more = kernel(a, brighter, GlossyReceiver { reflectance: 2.0 * c.reflectance, ..c });
             // Exact, but for subnormal numbers.
             prop_assert!(more == 16.0 * value || more < 1e-35, "{name}: {value} and {more}");
         }
@@ -234,14 +239,14 @@ fn tiny(is_sg: bool, (a, b, c): Scene) -> f64 {
     let w = way.normalize();
     let tan2 = |h: DVec3, n: DVec3| h.cross(n).length_squared() / square(h.dot(n));
     let ggx = |t2: f64, m2: f64| m2 / PI * square((1.0 + t2) / (m2 + t2));
-    let h_r = d(b.light_dir) - w;
-    let h_x = d(c.view_dir) + w;
+    let h_r = d(b.light) - w;
+    let h_x = d(c.view) + w;
     let (t_r, t_x) = (tan2(h_r, d(a.normal)), tan2(h_x, d(c.normal)));
     let (m_r, m_x) = (square(f64::from(b.alpha)), square(f64::from(c.alpha)));
     let d_x =
         if is_sg { (2.0 / m_x * (1.0 / (1.0 + t_x).sqrt() - 1.0)).exp() / (PI * m_x) } else { ggx(t_x, m_x) };
     let scale = f64::from(b.irradiance * b.reflectance * c.reflectance);
-    let cosines = d(a.normal).dot(d(b.light_dir)) * w.dot(d(c.normal)).max(0.0) * -w.dot(d(a.normal));
+    let cosines = d(a.normal).dot(d(b.light)) * w.dot(d(c.normal)).max(0.0) * -w.dot(d(a.normal));
     let area = 4.0 * f64::from(a.half_x) * f64::from(a.half_y);
     scale * cosines * ggx(t_r, m_r) * d_x * area / way.length_squared()
 }
@@ -252,7 +257,7 @@ fn a_tiny_rectangle_is_the_integrand_times_its_solid_angle() {
         let small = Rectangle { half_x: 1e-3 * a.half_x / a.half_x.max(a.half_y), half_y: 5e-4, ..a };
         let scene = (small, b, c);
         let above = (small.position - c.position).normalize().dot(c.normal);
-        prop_assume!(above > 0.2 && c.normal.dot(c.view_dir) > 0.01);
+        prop_assume!(above > 0.2 && c.normal.dot(c.view) > 0.01);
         for (name, kernel) in ALL {
             let truth = tiny(name.ends_with("sg"), scene);
             let value = f64::from(kernel(small, b, c));
@@ -290,7 +295,7 @@ fn a_pixel_that_moves_along_the_rectangle_sees_no_jump() {
             let values: Vec<f32> = (0..N)
                 .map(|k| {
                     let position = c.position + Vec3::new(to.x, to.y, 0.0) * (k as f32 / N as f32 - 0.5);
-                    kernel(a, b, Receiver { position, ..c })
+                    kernel(a, b, GlossyReceiver { position, ..c })
                 })
                 .collect();
             let largest = values.iter().copied().fold(0.0, f32::max);
@@ -315,7 +320,7 @@ fn scene(args: &serde_json::Value) -> Scene {
     };
     let (light_dir, irradiance) = (vector("light_dir"), number("irradiance"));
     let reflector = Reflector { alpha: number("m_r"), reflectance: number("M_r"), light_dir, irradiance };
-    let receiver = Receiver {
+    let receiver = GlossyReceiver {
         position: vector("p_x"),
         normal: vector("n_x"),
         view_dir: vector("view_dir"),
@@ -337,7 +342,7 @@ fn the_integral_is_met_to_the_stated_factor() {
         let ratios = rows.iter().filter_map(|row| {
             let (a, b, c) = scene(&row["args"]);
             let truth = row["brute_force"][integral].as_f64().filter(|v| *v > 0.0)?;
-            (c.normal.dot(c.view_dir) > 0.0).then(|| (f64::from(kernel(a, b, c)) / truth).max(1e-6))
+            (c.normal.dot(c.view) > 0.0).then(|| (f64::from(kernel(a, b, c)) / truth).max(1e-6))
         });
         let errors: Vec<f64> = ratios.map(|r| r.ln().abs()).collect();
         let factor = (errors.iter().sum::<f64>() / errors.len() as f64).exp();

@@ -1,14 +1,14 @@
 //! Scales that the budgets are stated in. No kernel computes with them.
 
 use crate::constants::PI;
-use crate::rect::Rectangle;
 use crate::rect::diffuse::LEVEL;
 #[allow(unused_imports, reason = "the documentation links to it")]
 use crate::rect::diffuse::rect_form_factor;
 use crate::rect::energy::rect_energy;
 use crate::rect::peak::LEAST_COSINE;
 use crate::rect::reflection::Reflection;
-use crate::rect::shade::{GlossyReceiver, RectShade};
+use crate::rect::shade::RectShade;
+use crate::rect::{GlossyReceiver, Rectangle};
 use lobe_codegen::prelude::*;
 
 /// How wrong rounding may make the radiance of a [`RectShade`]: the budget of these kernels.
@@ -42,7 +42,7 @@ pub fn rect_shade_error(
     let place = (way + shade.dist) / (cos_sigma * radius);
     let relative = 1e-5 + 2e-6 * geometry + 1e-6 * place + 5e-7 * sqrt(nu) + 5e-7 / facing;
     // A distance of which few digits are left says little of the disk: it may be as near as can be.
-    let near = geometry > 2e3;
+    let near = geometry > 300.0;
     let wide = select(max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu), 1.0, near);
     let narrow = select(max(shade.mu, 1e-3) / (max(shade.mu, 1e-3) + nu), 1.0, near);
     let aperture = select(shade.aperture, 1.0, near);

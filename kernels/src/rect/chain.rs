@@ -3,10 +3,10 @@
 //! [`rect_shade_light`] is the corrected method; [`rect_shade_light_unlimited`] lacks the limit on the disk, and
 //! [`rect_shade_light_paper`] is the method as printed.
 
-use crate::rect::Rectangle;
 use crate::rect::budget::rect_shade_error;
 use crate::rect::reflection::{DistantLight, rect_reflection, rect_reflection_paper};
-use crate::rect::shade::{GlossyReceiver, RectShade, ShadeForm, rect_shade, rect_shade_within};
+use crate::rect::shade::{RectShade, ShadeForm, rect_shade, rect_shade_within};
+use crate::rect::{GlossyReceiver, Rectangle};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;
 use lobe_codegen::prelude::*;

@@ -69,3 +69,23 @@ pub struct Rectangle {
     #[domain(1e-3..=100.0)]
     pub half_y: f32,
 }
+
+/// A position on a glossy surface that sees the rectangle, and who looks at it.
+#[kernel]
+pub struct GlossyReceiver {
+    /// The position.
+    #[domain(-1e4..=1e4)]
+    pub position: Vec3,
+    /// Unit normal of the surface.
+    #[domain(unit)]
+    pub normal: Vec3,
+    /// Unit direction to the viewer.
+    #[domain(unit)]
+    pub view: Vec3,
+    /// GGX alpha of the surface.
+    #[domain(0.02..=1.0)]
+    pub alpha: f32,
+    /// Its BRDF without the distribution: Fresnel and shadowing over four cosines.
+    #[domain(0.0..=100.0)]
+    pub reflectance: f32,
+}

@@ -6,7 +6,6 @@
 
 use crate::asg::asg_sg_peak;
 use crate::constants::PI;
-use crate::rect::Rectangle;
 use crate::rect::budget::rect_shade_error;
 #[allow(unused_imports, reason = "the documentation links to it")]
 use crate::rect::chain::rect_shade_light_paper;
@@ -19,29 +18,10 @@ use crate::rect::peak::LEAST_COSINE;
 use crate::rect::reflection::Reflection;
 #[allow(unused_imports, reason = "the documentation links to it")]
 use crate::rect::reflection::rect_reflection;
+use crate::rect::{GlossyReceiver, Rectangle};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;
 use lobe_codegen::prelude::*;
-
-/// A position on a glossy surface, and who looks at it.
-#[kernel]
-pub struct GlossyReceiver {
-    /// The position.
-    #[domain(-100.0..=100.0)]
-    pub position: Vec3,
-    /// Unit normal of the surface.
-    #[domain(unit)]
-    pub normal: Vec3,
-    /// Unit direction to the viewer.
-    #[domain(unit)]
-    pub view: Vec3,
-    /// GGX alpha of the surface.
-    #[domain(0.02..=1.0)]
-    pub alpha: f32,
-    /// Its BRDF without the distribution: Fresnel and shadowing over four cosines.
-    #[domain(0.0..=100.0)]
-    pub reflectance: f32,
-}
 
 /// In what the forms of the shading differ.
 #[kernel]

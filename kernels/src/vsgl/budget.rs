@@ -78,7 +78,7 @@ pub fn asg_sg_sg_budget(asg: Asg, v: Sg, l: Sg) -> f32 {
     let largest = max(max(v.sharpness, l.sharpness), 1e-30);
     let roots = 2e-7 * (sqrt(asg.lambda) + sqrt(asg.mu));
     let logs = 4e-6 * abs(product.log_amplitude) + 2e-6 * (abs(v.log_amplitude) + abs(l.log_amplitude));
-    let cancelled = 4e-6 * largest / max(product.sharpness, 1e-6 * largest);
+    let cancelled = 8e-6 * largest / max(product.sharpness, 1e-6 * largest);
     let amplitude = asg.amplitude * exp(product.log_amplitude);
     (1e-5 + roots + logs + cancelled) * amplitude
 }

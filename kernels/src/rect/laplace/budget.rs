@@ -1,14 +1,13 @@
 //! Scales that the budgets are stated in. No kernel computes with them.
 
-use crate::rect::Rectangle;
 use crate::rect::laplace::frame::{
-    Receiver, Reflector, rect_laplace_bitangent, rect_laplace_is_dark, rect_laplace_receiver,
-    rect_laplace_reflector,
+    Reflector, rect_laplace_bitangent, rect_laplace_is_dark, rect_laplace_receiver, rect_laplace_reflector,
 };
 use crate::rect::laplace::integral::{rect_laplace_point, rect_laplace_point_sg};
 use crate::rect::laplace::radiance::rect_laplace_scale;
 use crate::rect::laplace::search::{rect_laplace_lift, rect_laplace_start};
 use crate::rect::laplace::width::{rect_laplace_angles, rect_laplace_extent, rect_laplace_shown};
+use crate::rect::{GlossyReceiver, Rectangle};
 use lobe_codegen::prelude::*;
 
 /// π², of the peaks of two distributions.
@@ -18,7 +17,7 @@ pub const PI_SQUARE: f32 = 9.8696044010893586188;
 /// What the radiance is measured against: both distributions at their peaks over the rectangle's solid angle, as it
 /// would be seen straight on from the distance of its middle, 2π at most.
 #[kernel]
-pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let way = receiver.position - rectangle.position;
     let solid_angle = min(4.0 * rectangle.half_x * rectangle.half_y / max(dot(way, way), 1e-9), 6.2831853);
     let roughness = reflector.alpha * receiver.alpha;
@@ -32,7 +31,7 @@ pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver
 /// pixel's normal is within 2e-4 of being perpendicular to a side, `100 + 20 g` more: there the corner that a spot is lifted
 /// to moves from one end of the side to the other.
 #[kernel]
-pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: Receiver) -> f32 {
+pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: GlossyReceiver) -> f32 {
     let way = receiver.position - rectangle.position;
     let height = max(dot(rectangle.normal, way), 1e-9);
     let g = (length(way) + max(rectangle.half_x, rectangle.half_y)) / height;
@@ -46,7 +45,7 @@ pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: Receiver) -> f32 
 /// decides about the order, and where a cosine is at 1e-3,
 /// below which nothing arrives.
 #[kernel]
-pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
@@ -67,7 +66,11 @@ pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiv
 
 /// The same of [`rect_laplace_fast_sg`](crate::rect::laplace::rect_laplace_fast_sg).
 #[kernel]
-pub fn rect_laplace_fast_jump_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_fast_jump_sg(
+    rectangle: Rectangle,
+    reflector: Reflector,
+    receiver: GlossyReceiver,
+) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);

@@ -1,6 +1,6 @@
 //! What depends on the reflector and its light alone, and on the pixel and the rectangle alone.
 
-use crate::rect::Rectangle;
+use crate::rect::{GlossyReceiver, Rectangle};
 use lobe_codegen::prelude::*;
 
 /// 8/π².
@@ -18,30 +18,10 @@ pub struct Reflector {
     pub reflectance: f32,
     /// Unit direction to the light.
     #[domain(unit)]
-    pub light_dir: Vec3,
+    pub light: Vec3,
     /// Irradiance on a plane that faces the light.
     #[domain(0.0..=1e3)]
     pub irradiance: f32,
-}
-
-/// A glossy pixel that sees the rectangle.
-#[kernel]
-pub struct Receiver {
-    /// Where it is.
-    #[domain(-1e4..=1e4)]
-    pub position: Vec3,
-    /// Unit normal.
-    #[domain(unit)]
-    pub normal: Vec3,
-    /// Unit direction to the viewer.
-    #[domain(unit)]
-    pub view_dir: Vec3,
-    /// Roughness `alpha` of its distribution.
-    #[domain(0.02..=1.0)]
-    pub alpha: f32,
-    /// Value of its reflectance without the distribution.
-    #[domain(0.0..=10.0)]
-    pub reflectance: f32,
 }
 
 /// Constants of a distribution of roughness `alpha`.
@@ -127,7 +107,7 @@ pub fn rect_laplace_reflector(
     bitangent: Vec3,
     reflector: Reflector,
 ) -> LaplaceReflector {
-    let light = rect_laplace_turn(rectangle, bitangent, reflector.light_dir);
+    let light = rect_laplace_turn(rectangle, bitangent, reflector.light);
     let gloss = rect_laplace_gloss(reflector.alpha);
     let pull = 0.5 * gloss.square * light.z;
     LaplaceReflector { light, gloss, pull, peak: EIGHT_OVER_PI_SQUARE * pull }
@@ -135,11 +115,15 @@ pub fn rect_laplace_reflector(
 
 /// What depends on a receiver and a rectangle alone.
 #[kernel]
-pub fn rect_laplace_receiver(rectangle: Rectangle, bitangent: Vec3, receiver: Receiver) -> LaplaceReceiver {
+pub fn rect_laplace_receiver(
+    rectangle: Rectangle,
+    bitangent: Vec3,
+    receiver: GlossyReceiver,
+) -> LaplaceReceiver {
     let offset = rect_laplace_turn(rectangle, bitangent, receiver.position - rectangle.position);
     let facing = rect_laplace_turn(rectangle, bitangent, receiver.normal);
-    let view = rect_laplace_turn(rectangle, bitangent, receiver.view_dir);
-    let cosine = dot(receiver.normal, receiver.view_dir);
+    let view = rect_laplace_turn(rectangle, bitangent, receiver.view);
+    let cosine = dot(receiver.normal, receiver.view);
     let gloss = rect_laplace_gloss(receiver.alpha);
     // The mirror image of the frame that takes the third axis to the normal. It degenerates only where the
     // pixel faces away from the rectangle's plane, and then nothing arrives.

@@ -1,23 +1,23 @@
 //! The radiance that a pixel sends to the viewer.
 
-use crate::rect::Rectangle;
 use crate::rect::laplace::budget::{
     rect_laplace_ceiling, rect_laplace_difficulty, rect_laplace_fast_jump, rect_laplace_fast_jump_sg,
 };
 use crate::rect::laplace::frame::{
-    Receiver, Reflector, rect_laplace_bitangent, rect_laplace_receiver, rect_laplace_reflector,
+    Reflector, rect_laplace_bitangent, rect_laplace_receiver, rect_laplace_reflector,
 };
 use crate::rect::laplace::integral::{
     rect_laplace_fast_integral, rect_laplace_fast_integral_sg, rect_laplace_integral,
     rect_laplace_integral_sg,
 };
+use crate::rect::{GlossyReceiver, Rectangle};
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::Lobe;
 use lobe_codegen::prelude::*;
 
 /// Irradiance times both reflectances, the factor of the integrals.
 #[kernel]
-pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_scale(reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     reflector.irradiance * reflector.reflectance * receiver.reflectance
 }
 
@@ -50,7 +50,7 @@ pub fn rect_laplace_scale(reflector: Reflector, receiver: Receiver) -> f32 {
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
     not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
 )]
-pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
@@ -71,7 +71,7 @@ pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Receiv
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
     not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
 )]
-pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
@@ -99,7 +99,7 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Rec
             + 1e-30
     )
 )]
-pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
@@ -123,7 +123,7 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: R
             + 1e-30
     )
 )]
-pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: Receiver) -> f32 {
+pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
     let reflector_in_frame = rect_laplace_reflector(rectangle, bitangent, reflector);
     let receiver_in_frame = rect_laplace_receiver(rectangle, bitangent, receiver);
