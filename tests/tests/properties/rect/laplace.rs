@@ -3,7 +3,8 @@
 //!
 //! Each test draws its cases from a seed that it prints; `LOBE_SEED=n` repeats a run.
 
-use lobe_codegen::glam::{DVec3, Mat3, Quat, Vec3};
+use crate::support::{check, rotation, unit};
+use lobe_codegen::glam::{DVec3, Mat3, Vec3};
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::laplace::{
     Receiver, Reflector, rect_laplace, rect_laplace_bitangent, rect_laplace_ceiling, rect_laplace_fast,
@@ -12,7 +13,6 @@ use lobe_kernels::rect::laplace::{
 };
 use lobe_tests::cases::Cases;
 use proptest::prelude::*;
-use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::PI;
 
 type Scene = (Rectangle, Reflector, Receiver);
@@ -27,33 +27,6 @@ const ALL: [(&str, Kernel); 4] = [
 
 /// `exp(mean |ln(radiance/integral)|)` over the lit rows of the table, at most.
 const STATED_FACTORS: [f64; 4] = [1.07, 1.07, 1.12, 1.12];
-
-/// Runs `test` on values of `strategy`, 256 of them, from a printed seed.
-fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let seed: u64 = match std::env::var("LOBE_SEED").ok().and_then(|s| s.parse().ok()) {
-        Some(seed) => seed,
-        None => std::time::SystemTime::UNIX_EPOCH.elapsed().map_or(7, |t| t.as_nanos() as u64),
-    };
-    println!("seed {seed} (repeat with LOBE_SEED={seed})");
-    let mut bytes = [0; 32];
-    bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
-    if let Err(error) = runner.run(&strategy, test) {
-        panic!("seed {seed}: {error}");
-    }
-}
-
-fn unit() -> impl Strategy<Value = Vec3> {
-    (-1.0..=1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, phi)| {
-        let r = (1.0 - z * z).sqrt();
-        DVec3::new(r * phi.cos(), r * phi.sin(), z).normalize().as_vec3()
-    })
-}
-
-fn rotation() -> impl Strategy<Value = Mat3> {
-    (unit(), 0.0..6.0_f32).prop_map(|(axis, angle)| Mat3::from_quat(Quat::from_axis_angle(axis, angle)))
-}
 
 /// A scene in the rectangle's own frame where something arrives: the pixel faces a spot near the rectangle, and the
 /// viewer is near the mirror direction. `alpha` bounds both roughnesses from below.
