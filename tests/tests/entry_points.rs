@@ -8,9 +8,14 @@ use lobe_backends::interp::{Buffer, Interpreter};
 use lobe_backends::translate::dxc::{Dxc, DxcOutput};
 use lobe_backends::translate::{TranslateError, spirv_words};
 use lobe_codegen::ValidModule;
+use lobe_codegen::def::KernelValue;
 use lobe_codegen::emit::{Content, Options, Target, emit};
 use lobe_codegen::intrinsics::{Intrinsic, Op, Shape, TABLE};
 use lobe_codegen::prelude::*;
+use lobe_kernels::rect::disk::rect_disk_radius;
+use lobe_kernels::rect::reflection::{DistantLight, Reflection, rect_reflection};
+use lobe_kernels::rect::shade::rect_shade;
+use lobe_kernels::rect::{GlossyReceiver, Rectangle};
 
 const GROUPS: u32 = 3;
 const SIZE: usize = 64;
@@ -62,6 +67,28 @@ pub fn all_atomics(
         seen[0] = former + atomic_load(&words[7]);
     }
     storage_barrier();
+}
+
+/// Gathers the light of all rectangles at each receiver: the reflections are made once a rectangle and light.
+#[kernel(workgroup_size(64))]
+pub fn gather_rectangles(
+    #[builtin(global_invocation_id)] id: UVec3,
+    #[storage(0, 0)] rectangles: &[Rectangle],
+    #[storage(0, 1)] reflections: &[Reflection],
+    #[storage(0, 2)] receivers: &[GlossyReceiver],
+    #[storage(0, 3)] alphas: &[f32],
+    #[storage(0, 4)] radiances: &mut [f32],
+) {
+    let receiver = receivers[id.x as usize];
+    let mut sum = 0.0;
+    for i in 0..rectangles.len() {
+        let rectangle = rectangles[i];
+        let offset = receiver.position - rectangle.position;
+        let dist = max(dot(offset, rectangle.normal), 0.0) / max(reflections[i].cos_sigma, 1e-3);
+        let radius = rect_disk_radius(3.0, alphas[i], dist, rectangle.half_x, rectangle.half_y);
+        sum += rect_shade(rectangle, reflections[i], receiver, max(radius, 1e-3)).radiance;
+    }
+    radiances[id.x as usize] = sum;
 }
 
 /// The intrinsics that the entry points above call.
@@ -152,11 +179,16 @@ fn content(module: &ValidModule, target: Target) -> Content {
     emit(module, target, &Options::default()).unwrap_or_else(|e| panic!("{e}")).content
 }
 
-/// Compares the interpreter with every driver, by WGSL, SPIR-V and HLSL.
+/// Compares the interpreter and every driver, by WGSL, SPIR-V and HLSL, with what is expected, word by word.
 fn check(kernel: lobe_codegen::def::FunctionRef, bound: &[Bound], expected: &[Vec<u32>]) {
+    check_by(kernel, bound, |found, way| assert_eq!(found, expected, "{way}"));
+}
+
+/// Lets `judge` see the writable buffers of the interpreter and of every driver, by WGSL, SPIR-V and HLSL.
+fn check_by(kernel: lobe_codegen::def::FunctionRef, bound: &[Bound], judge: impl Fn(&[Vec<u32>], &str)) {
     let module = lobe_codegen::lower(&[kernel]).unwrap_or_else(|e| panic!("{e}"));
     let entry = kernel().name;
-    assert_eq!(interpreted(&module, bound), expected, "{entry} on interp");
+    judge(&interpreted(&module, bound), &format!("{entry} on interp"));
     let found = drivers();
     if found.is_empty() {
         common::skip("a Vulkan driver", "run tests/setup.sh");
@@ -165,9 +197,12 @@ fn check(kernel: lobe_codegen::def::FunctionRef, bound: &[Bound], expected: &[Ve
         let mut gpu = Gpu::open(driver).unwrap_or_else(|e| panic!("{e}"));
         let wgsl = content(&module, Target::Wgsl);
         let text = wgsl.text().expect("text");
-        assert_eq!(run(&mut gpu, entry, Shader::Wgsl(text), bound), expected, "WGSL @{}", driver.name);
+        judge(&run(&mut gpu, entry, Shader::Wgsl(text), bound), &format!("{entry} by WGSL @{}", driver.name));
         let Content::Words(spirv) = content(&module, Target::Spirv) else { panic!("not words") };
-        assert_eq!(run(&mut gpu, entry, Shader::Spirv(&spirv), bound), expected, "SPIR-V @{}", driver.name);
+        judge(
+            &run(&mut gpu, entry, Shader::Spirv(&spirv), bound),
+            &format!("{entry} by SPIR-V @{}", driver.name),
+        );
         let dxc = match Dxc::find() {
             Ok(dxc) => dxc,
             Err(TranslateError::NotFound { .. }) => {
@@ -179,7 +214,10 @@ fn check(kernel: lobe_codegen::def::FunctionRef, bound: &[Bound], expected: &[Ve
         let hlsl = content(&module, Target::Hlsl);
         let object = dxc.compile(hlsl.text().expect("text"), "cs_6_0", Some(entry), DxcOutput::Spirv);
         let spirv = spirv_words(&object.unwrap_or_else(|e| panic!("{e}"))).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(run(&mut gpu, entry, Shader::Spirv(&spirv), bound), expected, "HLSL @{}", driver.name);
+        judge(
+            &run(&mut gpu, entry, Shader::Spirv(&spirv), bound),
+            &format!("{entry} by HLSL @{}", driver.name),
+        );
     }
 }
 
@@ -219,4 +257,81 @@ fn atomics() {
         Bound(BindingKind::StorageReadWrite, vec![0]),
     ];
     check(lobe_codegen::kernels![all_atomics][0], &bound, &[outcome, vec![47]]);
+}
+
+/// `values` as an array in a buffer: words of each in order, three-component vectors on 16 bytes.
+fn array<T: KernelValue>(values: &[T], slots: &[usize], stride: usize) -> Vec<u32> {
+    let element = |value: &T| {
+        let (mut packed, mut laid) = (Vec::new(), vec![0; stride]);
+        value.write(&mut packed);
+        assert_eq!(packed.len(), slots.len(), "a slot for each word");
+        slots.iter().zip(packed).for_each(|(slot, word)| laid[*slot] = word);
+        laid
+    };
+    values.iter().flat_map(element).collect()
+}
+
+/// Two rectangles before a row of receivers, with the light that each reflects.
+fn lit_rectangles() -> ([Rectangle; 2], [f32; 2], [Reflection; 2]) {
+    let low = Rectangle { position: Vec3::ZERO, normal: Vec3::Z, tangent: Vec3::X, half_x: 1.0, half_y: 0.5 };
+    let side = Rectangle {
+        position: Vec3::new(-2.0, 0.0, 1.0),
+        normal: Vec3::X,
+        tangent: Vec3::Y,
+        half_x: 0.7,
+        half_y: 1.2,
+    };
+    let light = DistantLight { direction: Vec3::new(0.6, 0.0, 0.8), irradiance: 3.0 };
+    let alphas = [0.2, 0.4];
+    let reflect = |rectangle: Rectangle, alpha| rect_reflection(rectangle.normal, alpha, 0.5, light);
+    ([low, side], alphas, [reflect(low, 0.2), reflect(side, 0.4)])
+}
+
+/// A row of receivers above the first rectangle and in front of the second.
+fn receivers() -> Vec<GlossyReceiver> {
+    let receiver = |i: usize| {
+        let x = i as f32 / 96.0 - 0.5;
+        GlossyReceiver {
+            position: Vec3::new(x, 0.1, 1.0),
+            normal: Vec3::new(-0.6, 0.0, -0.8),
+            view: Vec3::new(0.0, 0.0, -1.0),
+            alpha: 0.4,
+            reflectance: 0.5,
+        }
+    };
+    (0..GROUPS as usize * SIZE).map(receiver).collect()
+}
+
+#[test]
+fn rectangles_are_gathered_as_by_a_loop() {
+    let (rectangles, alphas, reflections) = lit_rectangles();
+    let receivers = receivers();
+    let gathered = |receiver: &GlossyReceiver| {
+        let each = (0..rectangles.len()).map(|i| {
+            let (rectangle, reflection) = (rectangles[i], reflections[i]);
+            let height = (receiver.position - rectangle.position).dot(rectangle.normal).max(0.0);
+            let dist = height / reflection.cos_sigma.max(1e-3);
+            let radius = rect_disk_radius(3.0, alphas[i], dist, rectangle.half_x, rectangle.half_y);
+            rect_shade(rectangle, reflection, *receiver, radius.max(1e-3)).radiance
+        });
+        each.sum::<f32>()
+    };
+    let expected: Vec<f32> = receivers.iter().map(gathered).collect();
+    let brightest = expected.iter().copied().fold(0.0, f32::max);
+    assert!(brightest > 1e-3, "nothing shines: {expected:?}");
+    let with_three_vectors = [0, 1, 2, 4, 5, 6, 8, 9, 10, 11, 12];
+    let bound = [
+        Bound(BindingKind::StorageRead, array(&rectangles, &with_three_vectors, 16)),
+        Bound(BindingKind::StorageRead, array(&reflections, &[0, 1, 2, 4, 5, 6, 7, 8, 9], 12)),
+        Bound(BindingKind::StorageRead, array(&receivers, &with_three_vectors, 16)),
+        Bound(BindingKind::StorageRead, array(&alphas, &[0], 1)),
+        Bound(BindingKind::StorageReadWrite, vec![0; receivers.len()]),
+    ];
+    check_by(lobe_codegen::kernels![gather_rectangles][0], &bound, |found, way| {
+        for (index, (word, wanted)) in found[0].iter().zip(&expected).enumerate() {
+            let value = f32::from_bits(*word);
+            let gap = (value - wanted).abs();
+            assert!(gap <= 1e-4 * brightest, "{way}, receiver {index}: {value} instead of {wanted}");
+        }
+    });
 }

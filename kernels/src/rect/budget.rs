@@ -46,7 +46,8 @@ pub fn rect_shade_error(
     let wide = select(max(shade.lambda, 1e-3) / (max(shade.lambda, 1e-3) + nu), 1.0, near);
     let narrow = select(max(shade.mu, 1e-3) / (max(shade.mu, 1e-3) + nu), 1.0, near);
     let aperture = select(shade.aperture, 1.0, near);
-    let whole = rect_energy(1.0, reflection.radiance, reflection.attenuation, aperture);
+    let attenuation = select(reflection.attenuation, 0.0, near);
+    let whole = rect_energy(1.0, reflection.radiance, attenuation, aperture);
     let peak =
         receiver.reflectance / (PI * receiver.alpha * receiver.alpha) * whole * sqrt(wide) * sqrt(narrow);
     min(relative, 1.5) * peak

@@ -6,13 +6,19 @@ use lobe_kernels::sg::Sg;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
-/// Runs `test` on values of `strategy`, 256 of them, from a printed seed.
-pub(crate) fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
+/// The seed of a test, printed: `LOBE_SEED`, or one of the clock's.
+pub(crate) fn seed() -> u64 {
     let seed: u64 = match std::env::var("LOBE_SEED").ok().and_then(|s| s.parse().ok()) {
         Some(seed) => seed,
         None => std::time::SystemTime::UNIX_EPOCH.elapsed().map_or(7, |t| t.as_nanos() as u64),
     };
     println!("seed {seed} (repeat with LOBE_SEED={seed})");
+    seed
+}
+
+/// Runs `test` on values of `strategy`, 256 of them, from a printed seed.
+pub(crate) fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
+    let seed = seed();
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
@@ -22,11 +28,15 @@ pub(crate) fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<
     }
 }
 
+/// The unit vector at height `z` and azimuth `phi`.
+pub(crate) fn direction(z: f64, phi: f64) -> Vec3 {
+    let r = (1.0 - z * z).max(0.0).sqrt();
+    DVec3::new(r * phi.cos(), r * phi.sin(), z).normalize().as_vec3()
+}
+
+/// Unit vectors.
 pub(crate) fn unit() -> impl Strategy<Value = Vec3> {
-    (-1.0..=1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, phi)| {
-        let r = (1.0 - z * z).sqrt();
-        DVec3::new(r * phi.cos(), r * phi.sin(), z).normalize().as_vec3()
-    })
+    (-1.0..=1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, phi)| direction(z, phi))
 }
 
 /// Log-uniform over the useful decades, and 0 now and then.
@@ -34,15 +44,18 @@ pub(crate) fn sharpness() -> impl Strategy<Value = f32> {
     prop_oneof![1 => Just(0.0), 9 => (-6.0..5.0_f32).prop_map(|e| 10.0_f32.powf(e))]
 }
 
+/// Rotations.
 pub(crate) fn rotation() -> impl Strategy<Value = Mat3> {
     (unit(), 0.0..6.0_f32).prop_map(|(axis, angle)| Mat3::from_quat(Quat::from_axis_angle(axis, angle)))
 }
 
+/// Whether `a` is `b` to within `tolerance`.
 pub(crate) fn close(a: f32, b: f64, tolerance: f64, what: &str) -> Result<(), TestCaseError> {
     prop_assert!((f64::from(a) - b).abs() <= tolerance, "{what}: {a} against {b}, tolerance {tolerance:e}");
     Ok(())
 }
 
+/// An isotropic lobe.
 pub(crate) fn lobe() -> impl Strategy<Value = Sg> {
     (unit(), sharpness(), -2.0..2.0_f32).prop_map(|(axis, sharpness, log_amplitude)| Sg {
         axis,

@@ -1,7 +1,6 @@
-//! Properties of the filters of lobes and positions, on random sets.
+//! Filters of lobes and positions, on random sets.
 
-mod random;
-
+use super::support::{check, close, rotation, unit};
 use lobe_codegen::glam::{DVec3, Vec3};
 use lobe_kernels::filter::{
     Moments, moments_empty, moments_merge, moments_merge4, moments_of_lobe, moments_of_position,
@@ -9,7 +8,6 @@ use lobe_kernels::filter::{
     toksvig_sharpness, toksvig_sharpness_paper, toksvig_spread,
 };
 use proptest::prelude::*;
-use random::{check, close, rotation, unit};
 
 /// A lobe: axis, sharpness, weight.
 type Lobe = (Vec3, f32, f32);

@@ -3,7 +3,8 @@
 //!
 //! Each test draws its cases from a seed that it prints; `LOBE_SEED=n` repeats a run.
 
-use lobe_codegen::glam::{DVec3, Mat3, Quat, Vec3};
+use crate::support::{check, rotation, unit};
+use lobe_codegen::glam::{DVec3, Mat3, Vec3};
 use lobe_kernels::rect::laplace::{
     Reflector, rect_laplace, rect_laplace_bitangent, rect_laplace_ceiling, rect_laplace_fast,
     rect_laplace_fast_sg, rect_laplace_integral, rect_laplace_receiver, rect_laplace_reflector,
@@ -12,7 +13,6 @@ use lobe_kernels::rect::laplace::{
 use lobe_kernels::rect::{GlossyReceiver, Rectangle};
 use lobe_tests::cases::Cases;
 use proptest::prelude::*;
-use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::f64::consts::PI;
 
 type Scene = (Rectangle, Reflector, GlossyReceiver);
@@ -27,33 +27,6 @@ const ALL: [(&str, Kernel); 4] = [
 
 /// `exp(mean |ln(radiance/integral)|)` over the lit rows of the table, at most.
 const STATED_FACTORS: [f64; 4] = [1.07, 1.07, 1.12, 1.12];
-
-/// Runs `test` on values of `strategy`, 256 of them, from a printed seed.
-fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let seed: u64 = match std::env::var("LOBE_SEED").ok().and_then(|s| s.parse().ok()) {
-        Some(seed) => seed,
-        None => std::time::SystemTime::UNIX_EPOCH.elapsed().map_or(7, |t| t.as_nanos() as u64),
-    };
-    println!("seed {seed} (repeat with LOBE_SEED={seed})");
-    let mut bytes = [0; 32];
-    bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
-    if let Err(error) = runner.run(&strategy, test) {
-        panic!("seed {seed}: {error}");
-    }
-}
-
-fn unit() -> impl Strategy<Value = Vec3> {
-    (-1.0..=1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, phi)| {
-        let r = (1.0 - z * z).sqrt();
-        DVec3::new(r * phi.cos(), r * phi.sin(), z).normalize().as_vec3()
-    })
-}
-
-fn rotation() -> impl Strategy<Value = Mat3> {
-    (unit(), 0.0..6.0_f32).prop_map(|(axis, angle)| Mat3::from_quat(Quat::from_axis_angle(axis, angle)))
-}
 
 /// A scene in the rectangle's own frame where something arrives: the pixel faces a spot near the rectangle, and the
 /// viewer is near the mirror direction. `alpha` bounds both roughnesses from below.
@@ -190,10 +163,10 @@ fn nothing_is_negative_or_nan() {
             let rectangle = Rectangle { position: p, normal: n, tangent, half_x, half_y };
             // Now and then light and normal near the horizon, or the view along the normal.
             let graze = if near == 0.0 { i } else { (n.cross(i) + 10.0_f32.powf(near) * n).normalize() };
-            let reflector = Reflector { alpha: mr, reflectance: 1.0, light_dir: graze, irradiance: 1.0 };
+            let reflector = Reflector { alpha: mr, reflectance: 1.0, light: graze, irradiance: 1.0 };
             for view_dir in [o, t, i] {
                 let receiver =
-                    GlossyReceiver { position: q, normal: t, view_dir, alpha: mx, reflectance: 1.0 };
+                    GlossyReceiver { position: q, normal: t, view: view_dir, alpha: mx, reflectance: 1.0 };
                 for (name, kernel) in ALL {
                     let value = kernel(rectangle, reflector, receiver);
                     prop_assert!(value >= 0.0, "{name}: {value} at {rectangle:?} {reflector:?} {receiver:?}");
@@ -319,11 +292,12 @@ fn scene(args: &serde_json::Value) -> Scene {
         half_y: number("half_y"),
     };
     let (light_dir, irradiance) = (vector("light_dir"), number("irradiance"));
-    let reflector = Reflector { alpha: number("m_r"), reflectance: number("M_r"), light_dir, irradiance };
+    let reflector =
+        Reflector { alpha: number("m_r"), reflectance: number("M_r"), light: light_dir, irradiance };
     let receiver = GlossyReceiver {
         position: vector("p_x"),
         normal: vector("n_x"),
-        view_dir: vector("view_dir"),
+        view: vector("view_dir"),
         alpha: number("m_x"),
         reflectance: number("M_x"),
     };
