@@ -22,7 +22,8 @@ use lobe_codegen::prelude::*;
     family = "brdf",
     cite = "[Schlick94] eq. 15",
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, cosine = -1.0..=1.0),
-    budget(8e-7 * max(max(f0.x, f0.y), f0.z) + 1e-6 * f90 + 1e-37)
+    budget(8e-7 * max(max(f0.x, f0.y), f0.z) + 1e-6 * f90 + 1e-37),
+    measured
 )]
 pub fn fresnel_schlick(f0: Vec3, f90: f32, cosine: f32) -> Vec3 {
     let down = 1.0 - clamp(cosine, 0.0, 1.0);
@@ -47,7 +48,8 @@ pub fn fresnel_schlick(f0: Vec3, f90: f32, cosine: f32) -> Vec3 {
     family = "brdf",
     cite = "[Schlick94] eq. 15",
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, light = unit, view = unit),
-    budget(1e-6 * max(max(f0.x, f0.y), f0.z) + 4e-6 * f90 + 1e-37)
+    budget(1e-6 * max(max(f0.x, f0.y), f0.z) + 4e-6 * f90 + 1e-37),
+    measured
 )]
 pub fn fresnel_schlick_between(f0: Vec3, f90: f32, light: Vec3, view: Vec3) -> Vec3 {
     let sum = light + view;

@@ -31,7 +31,8 @@ pub const LOG_PI: f32 = 1.1447298858494001741;
     family = "brdf",
     cite = "[RectGlossy] eq. 6",
     domain(normal = unit, alpha = 1e-3..=1.0),
-    budget(axis = 0.0, sharpness = 1e-6 * result.sharpness, log_amplitude = 1e-6 * abs(result.log_amplitude) + 2e-6)
+    budget(axis = 0.0, sharpness = 1e-6 * result.sharpness, log_amplitude = 1e-6 * abs(result.log_amplitude) + 2e-6),
+    measured
 )]
 pub fn sg_ndf(normal: Vec3, alpha: f32) -> Sg {
     Sg { axis: normal, sharpness: 2.0 / (alpha * alpha), log_amplitude: -2.0 * log(alpha) - LOG_PI }
@@ -55,7 +56,8 @@ pub fn sg_ndf(normal: Vec3, alpha: f32) -> Sg {
     budget(
         z = 0.0, x = 0.0, y = 4e-7,
         lambda = 1e-6 * result.lambda, mu = 1e-6 * result.mu, amplitude = 1e-6 * result.amplitude
-    )
+    ),
+    measured
 )]
 pub fn asg_ndf(normal: Vec3, tangent: Vec3, alpha_x: f32, alpha_y: f32) -> Asg {
     Asg {
@@ -77,7 +79,7 @@ pub fn asg_ndf(normal: Vec3, tangent: Vec3, alpha_x: f32, alpha_y: f32) -> Asg {
 /// | `normal`, `view` | unit vectors | sphere | 1 |
 ///
 /// Returns the cosine, in 1e-5 ..= 1.
-#[kernel(family = "brdf", cite = "[RectGlossy] eq. 8", domain(normal = unit, view = unit), budget(4e-7))]
+#[kernel(family = "brdf", cite = "[RectGlossy] eq. 8", domain(normal = unit, view = unit), budget(4e-7), measured)]
 pub fn warp_cosine(normal: Vec3, view: Vec3) -> f32 {
     max(abs(dot(normal, view)), 1e-5)
 }
@@ -109,7 +111,8 @@ pub fn warp_cosine(normal: Vec3, view: Vec3) -> f32 {
         axis = 1.5e-6,
         sharpness = (2e-6 + 4e-7 / warp_cosine(normal, view)) * result.sharpness,
         log_amplitude = 1e-6 * abs(result.log_amplitude) + 2e-6
-    )
+    ),
+    measured
 )]
 pub fn sg_ndf_warp(normal: Vec3, view: Vec3, alpha: f32) -> Sg {
     Sg {
@@ -137,7 +140,8 @@ pub fn sg_ndf_warp(normal: Vec3, view: Vec3, alpha: f32) -> Sg {
     family = "brdf",
     cite = "[Xu13] section 4",
     domain(normal = unit, view = unit),
-    budget(2e-6)
+    budget(2e-6),
+    measured
 )]
 pub fn incidence_tangent(normal: Vec3, view: Vec3) -> Vec3 {
     let near = cross(normal, view - normal);
@@ -178,7 +182,8 @@ pub fn incidence_tangent(normal: Vec3, view: Vec3) -> Vec3 {
         lambda = (3e-6 + 8e-7 / warp_cosine(normal, view) + 2e-13 / (warp_cosine(normal, view) * warp_cosine(normal, view))) * result.lambda,
         mu = 1e-6 * result.mu,
         amplitude = 1e-6 * result.amplitude
-    )
+    ),
+    measured
 )]
 pub fn asg_ndf_warp(normal: Vec3, view: Vec3, alpha: f32) -> Asg {
     let mirrored = 2.0 * dot(normal, view) * normal - view;

@@ -20,7 +20,7 @@ use lobe_codegen::prelude::*;
 /// | `albedo` | share of the light that is reflected, linear RGB | 0 ..= 1 | 1 |
 ///
 /// Returns the reflectance in 1/sr. It is not lowered by what the glossy lobe reflects.
-#[kernel(family = "brdf", cite = "[Pharr23] section 9.2", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37))]
+#[kernel(family = "brdf", cite = "[Pharr23] section 9.2", domain(albedo = 0.0..=1.0), budget(1e-7 * largest(albedo) + 1e-37), measured)]
 pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     INVERSE_PI * albedo
 }
@@ -47,7 +47,8 @@ pub fn lambert_brdf(albedo: Vec3) -> Vec3 {
     budget(
         (4e-6 + 1.5e-6 * smith_visibility(dot(normal, light), dot(normal, view), alpha))
             * smith_visibility(dot(normal, light), dot(normal, view), alpha) * max(largest(f0), f90) + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     fresnel_schlick_between(f0, f90, light, view)
@@ -75,7 +76,8 @@ pub fn microfacet_m(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, v
     family = "brdf",
     cite = "[Tokuyoshi15b] section 1.1",
     domain(f0 = 0.0..=1.0, f90 = 0.0..=1.0, alpha = 0.02..=1.0, normal = unit, light = unit, view = unit),
-    budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(largest(f0), f90) / (alpha * alpha * alpha) + 1e-33)
+    budget((6e-6 + 1e-6 / max(dot(normal, view), 1e-4)) * max(largest(f0), f90) / (alpha * alpha * alpha) + 1e-33),
+    measured
 )]
 pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_v = max(dot(normal, view), 1e-4);
@@ -111,7 +113,8 @@ pub fn microfacet_reflectance(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, ligh
             + select(0.0, 10.0, min(dot(normal, light), dot(normal, view)) < 1e-6))
             * smith_visibility(dot(normal, light), dot(normal, view), alpha)
             * ggx_ndf_between(normal, light, view, alpha) * max(largest(f0), f90) + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_l = dot(normal, light);
@@ -139,7 +142,8 @@ pub fn microfacet_brdf(f0: Vec3, f90: f32, alpha: f32, normal: Vec3, light: Vec3
     domain(normal = unit, light = unit, view = unit),
     budget(
         surface_error(material, normal, light, view)
-    )
+    ),
+    measured
 )]
 pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let n_dot_l = dot(normal, light);
@@ -169,7 +173,8 @@ pub fn surface_transfer(material: Material, normal: Vec3, light: Vec3, view: Vec
     domain(normal = unit, light = unit, view = unit),
     budget(
         surface_error(material, normal, light, view) / max(dot(normal, view), 1e-4)
-    )
+    ),
+    measured
 )]
 pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     surface_transfer(material, normal, light, view) / max(dot(normal, view), 1e-4)
@@ -198,7 +203,8 @@ pub fn surface_brdf_cosine(material: Material, normal: Vec3, light: Vec3, view: 
             * ggx_ndf_between(normal, light, view, material.alpha)
             * max(largest(material.f0), material.f90)
             + 2e-7 + select(0.0, 0.4, min(dot(normal, light), dot(normal, view)) < 1e-6)
-    )
+    ),
+    measured
 )]
 pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -> Vec3 {
     let is_seen = dot(normal, light) > 0.0 && dot(normal, view) > 0.0;

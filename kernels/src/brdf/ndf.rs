@@ -24,7 +24,8 @@ use lobe_codegen::prelude::*;
     family = "brdf",
     cite = "[Walter07] eq. 33",
     domain(normal = unit, half_vector = unit, alpha = 1e-3..=1.0),
-    budget((3e-6 + 1e-6 * max(-dot(normal, half_vector), 0.0) / alpha) * result + 1e-12 / (alpha * alpha) * max(-dot(normal, half_vector), 0.0))
+    budget((3e-6 + 1e-6 * max(-dot(normal, half_vector), 0.0) / alpha) * result + 1e-12 / (alpha * alpha) * max(-dot(normal, half_vector), 0.0)),
+    measured
 )]
 pub fn ggx_ndf(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {
     let sine = cross(normal, half_vector - normal);
@@ -51,7 +52,8 @@ pub fn ggx_ndf(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[RectGlossy] eq. 16",
     domain(cosine = 0.0..=1.0, alpha = 1e-3..=1.0),
-    budget(3e-6 * result)
+    budget(3e-6 * result),
+    measured
 )]
 pub fn ggx_ndf_cosine(cosine: f32, alpha: f32) -> f32 {
     let width = alpha / max((1.0 - cosine) * (1.0 + cosine) + (alpha * alpha) * (cosine * cosine), 1e-12);
@@ -70,7 +72,8 @@ pub fn ggx_ndf_cosine(cosine: f32, alpha: f32) -> f32 {
     domain(cosine = 0.0..=1.0, alpha = 1e-3..=1.0),
     budget(3e-6 * result),
     variant_of = ggx_ndf_cosine,
-    not_robust = "1 - (1 - alpha²) c² cancels near the peak"
+    not_robust = "1 - (1 - alpha²) c² cancels near the peak",
+    measured
 )]
 pub fn ggx_ndf_paper(cosine: f32, alpha: f32) -> f32 {
     let squared = alpha * alpha;
@@ -98,7 +101,8 @@ pub fn ggx_ndf_paper(cosine: f32, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[Walter07] eq. 33",
     domain(normal = unit, light = unit, view = unit, alpha = 0.02..=1.0),
-    budget((4e-6 + 2e-6 / alpha) * result + 1e-11)
+    budget((4e-6 + 2e-6 / alpha) * result + 1e-11),
+    measured
 )]
 pub fn ggx_ndf_between(normal: Vec3, light: Vec3, view: Vec3, alpha: f32) -> f32 {
     let sum = light + view;
@@ -132,7 +136,8 @@ pub fn ggx_ndf_between(normal: Vec3, light: Vec3, view: Vec3, alpha: f32) -> f32
         (6e-6 + 7e-6 * beckmann_exponent(normal, half_vector, alpha)
             + (2e-6 * sqrt(beckmann_exponent(normal, half_vector, alpha)) / alpha + 1e-12 / (alpha * alpha))
             * max(-dot(normal, half_vector), 0.0)) * result + 1e-24 / (alpha * alpha)
-    )
+    ),
+    measured
 )]
 pub fn beckmann_ndf(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {
     let cosine = dot(normal, half_vector);
@@ -150,7 +155,8 @@ pub fn beckmann_ndf(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[Walter07] eq. 25",
     domain(normal = unit, half_vector = unit, alpha = 1e-3..=1.0),
-    budget(6e-6 * result + (2e-6 * sqrt(result) / alpha + 1e-12 / (alpha * alpha)) * max(-dot(normal, half_vector), 0.0) + 1e-30)
+    budget(6e-6 * result + (2e-6 * sqrt(result) / alpha + 1e-12 / (alpha * alpha)) * max(-dot(normal, half_vector), 0.0) + 1e-30),
+    measured
 )]
 pub fn beckmann_exponent(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {
     let sine = cross(normal, half_vector - normal);

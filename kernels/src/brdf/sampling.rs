@@ -34,7 +34,7 @@ pub struct Frame {
 /// | `normal` | unit normal `n` | sphere | 1 |
 ///
 /// Returns the frame with `z = n`. It is not continuous across `n.z = 0`.
-#[kernel(family = "brdf", cite = "[Duff17] listing 3", domain(normal = unit), budget(7e-7))]
+#[kernel(family = "brdf", cite = "[Duff17] listing 3", domain(normal = unit), budget(7e-7), measured)]
 pub fn orthonormal_frame(normal: Vec3) -> Frame {
     let side = select(-1.0, 1.0, normal.z >= 0.0);
     let a = -1.0 / (side + normal.z);
@@ -57,7 +57,7 @@ pub fn orthonormal_frame(normal: Vec3) -> Frame {
 /// | `local` | components along its vectors | unit | 1 |
 ///
 /// Returns the unit direction.
-#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(local = unit), budget(4e-7))]
+#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(local = unit), budget(4e-7), measured)]
 pub fn frame_to_world(frame: Frame, local: Vec3) -> Vec3 {
     local.x * frame.x + local.y * frame.y + local.z * frame.z
 }
@@ -73,7 +73,7 @@ pub fn frame_to_world(frame: Frame, local: Vec3) -> Vec3 {
 /// | `world` | unit direction, in the space of the frame's vectors | sphere | 1 |
 ///
 /// Returns the unit direction's components along the frame's vectors.
-#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(world = unit), budget(4e-7))]
+#[kernel(family = "brdf", cite = "[Pharr23] section 3.3", domain(world = unit), budget(4e-7), measured)]
 pub fn frame_to_local(frame: Frame, world: Vec3) -> Vec3 {
     Vec3::new(dot(world, frame.x), dot(world, frame.y), dot(world, frame.z))
 }
@@ -90,7 +90,7 @@ pub fn frame_to_local(frame: Frame, world: Vec3) -> Vec3 {
 /// Returns the sine, within 1e-9 of the exact one.
 ///
 /// Numerics: the shading languages let `sin` err by 5e-4.
-#[kernel(family = "brdf", cite = "[Abramowitz64] eq. 4.3.65", domain(turn = -0.25..=0.25), budget(7e-7 * abs(result) + 1e-37))]
+#[kernel(family = "brdf", cite = "[Abramowitz64] eq. 4.3.65", domain(turn = -0.25..=0.25), budget(7e-7 * abs(result) + 1e-37), measured)]
 pub fn sine_of_turn(turn: f32) -> f32 {
     let x = TWO_PI * turn;
     let q = x * x;
@@ -111,7 +111,7 @@ pub fn sine_of_turn(turn: f32) -> f32 {
 /// Returns the vector.
 ///
 /// Numerics: folding the turn into a quarter is exact; [`sine_of_turn`] does the rest.
-#[kernel(family = "brdf", cite = "[Pharr23] section A.5", domain(turn = 0.0..=1.0), budget(7e-7))]
+#[kernel(family = "brdf", cite = "[Pharr23] section A.5", domain(turn = 0.0..=1.0), budget(7e-7), measured)]
 pub fn circle_of_turn(turn: f32) -> Vec2 {
     // sin 2π t = -sin 2π (t - 1/2), and an angle beyond a quarter has the sine of what is left to the half.
     let from_half = turn - 0.5;
@@ -130,7 +130,7 @@ pub fn circle_of_turn(turn: f32) -> Vec2 {
 /// | `u` | two uniform numbers | 0 ..= 1 - 2^-24 | 1 |
 ///
 /// Returns a unit direction in the frame of the normal, `z > 0`; its density is [`cosine_hemisphere_pdf`].
-#[kernel(family = "brdf", cite = "[Pharr23] section A.5.3", domain(u = 0.0..=0.99999994), budget(1.5e-6))]
+#[kernel(family = "brdf", cite = "[Pharr23] section A.5.3", domain(u = 0.0..=0.99999994), budget(1.5e-6), measured)]
 pub fn cosine_sample_hemisphere(u: Vec2) -> Vec3 {
     let circle = sqrt(u.y) * circle_of_turn(u.x);
     Vec3::new(circle.x, circle.y, sqrt(1.0 - u.y))
@@ -146,7 +146,7 @@ pub fn cosine_sample_hemisphere(u: Vec2) -> Vec3 {
 /// | `n_dot_l` | cosine of the direction and the normal | -1 ..= 1 | 1 |
 ///
 /// Returns the density in 1/sr.
-#[kernel(family = "brdf", cite = "[Pharr23] section A.5.3", domain(n_dot_l = -1.0..=1.0), budget(2e-7 * result + 1e-37))]
+#[kernel(family = "brdf", cite = "[Pharr23] section A.5.3", domain(n_dot_l = -1.0..=1.0), budget(2e-7 * result + 1e-37), measured)]
 pub fn cosine_hemisphere_pdf(n_dot_l: f32) -> f32 {
     INVERSE_PI * max(n_dot_l, 0.0)
 }
@@ -169,7 +169,8 @@ pub fn cosine_hemisphere_pdf(n_dot_l: f32) -> f32 {
     family = "brdf",
     cite = "[Walter07] eq. 35, 36",
     domain(alpha = 0.02..=1.0, u = 0.0..=0.99999994),
-    budget(2e-6)
+    budget(2e-6),
+    measured
 )]
 pub fn ggx_sample_half_vector(alpha: f32, u: Vec2) -> Vec3 {
     let squared = alpha * alpha * u.y + (1.0 - u.y);
@@ -198,7 +199,8 @@ pub fn ggx_sample_half_vector(alpha: f32, u: Vec2) -> Vec3 {
     budget(
         ((3e-6 + 1e-6 / alpha) * result + 5e-7 * ggx_ndf_between(normal, light, view, alpha)
             * inverse_sqrt(max(dot(light + view, light + view), 1e-6))) + 1e-7
-    )
+    ),
+    measured
 )]
 pub fn ggx_half_vector_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
     let sum = light + view;
@@ -228,7 +230,8 @@ pub fn ggx_half_vector_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3) ->
     family = "brdf",
     cite = "[Dupuy23] listing 1",
     domain(view = unit, alpha = 0.02..=1.0, u = 0.0..=0.99999994),
-    budget(3e-6 + 2.5e-6 * alpha / (1.0 - u.y))
+    budget(3e-6 + 2.5e-6 * alpha / (1.0 - u.y)),
+    measured
 )]
 pub fn ggx_sample_visible_normal(view: Vec3, alpha: f32, u: Vec2) -> Vec3 {
     let stretched = Vec3::new(alpha * view.x, alpha * view.y, abs(view.z));
@@ -256,7 +259,8 @@ pub fn ggx_sample_visible_normal(view: Vec3, alpha: f32, u: Vec2) -> Vec3 {
     family = "brdf",
     cite = "[Heitz18] eq. 17",
     domain(alpha = 0.02..=1.0, normal = unit, light = unit, view = unit),
-    budget((6e-6 + 3e-6 / alpha) * result + 1e-9)
+    budget((6e-6 + 3e-6 / alpha) * result + 1e-9),
+    measured
 )]
 pub fn ggx_visible_normal_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3) -> f32 {
     let n_dot_v = max(dot(normal, view), 0.0);
@@ -275,7 +279,7 @@ pub fn ggx_visible_normal_pdf(alpha: f32, normal: Vec3, light: Vec3, view: Vec3)
 /// | `axis` | unit vector `h` | sphere | 1 |
 ///
 /// Returns the unit direction on the other side of the axis.
-#[kernel(family = "brdf", cite = "[Walter07] eq. 39", domain(dir = unit, axis = unit), budget(1.5e-6))]
+#[kernel(family = "brdf", cite = "[Walter07] eq. 39", domain(dir = unit, axis = unit), budget(1.5e-6), measured)]
 pub fn mirror(dir: Vec3, axis: Vec3) -> Vec3 {
     2.0 * dot(dir, axis) * axis - dir
 }

@@ -18,7 +18,8 @@ use lobe_codegen::prelude::*;
     family = "brdf",
     cite = "[Heitz14] eq. 72",
     domain(cosine = -1.0..=1.0, alpha = 0.02..=1.0),
-    budget(2e-6 * result)
+    budget(2e-6 * result),
+    measured
 )]
 pub fn smith_root(cosine: f32, alpha: f32) -> f32 {
     let slope = alpha / max(cosine, 1e-15);
@@ -40,7 +41,8 @@ pub fn smith_root(cosine: f32, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[Walter07] eq. 34",
     domain(cosine = -1.0..=1.0, alpha = 0.02..=1.0),
-    budget(2e-6 * result)
+    budget(2e-6 * result),
+    measured
 )]
 pub fn smith_g1(cosine: f32, alpha: f32) -> f32 {
     2.0 / (1.0 + smith_root(cosine, alpha))
@@ -61,7 +63,8 @@ pub fn smith_g1(cosine: f32, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[Heitz14] eq. 99",
     domain(n_dot_l = -1.0..=1.0, n_dot_v = -1.0..=1.0, alpha = 0.02..=1.0),
-    budget(3e-6 * result)
+    budget(3e-6 * result),
+    measured
 )]
 pub fn smith_g2(n_dot_l: f32, n_dot_v: f32, alpha: f32) -> f32 {
     2.0 / (smith_root(n_dot_l, alpha) + smith_root(n_dot_v, alpha))
@@ -85,7 +88,8 @@ pub fn smith_g2(n_dot_l: f32, n_dot_v: f32, alpha: f32) -> f32 {
     family = "brdf",
     cite = "[Heitz14] eq. 99",
     domain(n_dot_l = -1.0..=1.0, n_dot_v = -1.0..=1.0, alpha = 0.02..=1.0),
-    budget(3e-6 * result)
+    budget(3e-6 * result),
+    measured
 )]
 pub fn smith_visibility(n_dot_l: f32, n_dot_v: f32, alpha: f32) -> f32 {
     let light = max(n_dot_l, 0.0);

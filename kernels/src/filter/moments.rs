@@ -29,7 +29,7 @@ pub struct Moments {
 /// Source: the definition.
 ///
 /// Returns moments of weight 0.
-#[kernel(family = "filter", cite = "definition", budget(0.0))]
+#[kernel(family = "filter", cite = "definition", budget(0.0), measured)]
 pub fn moments_empty() -> Moments {
     Moments { weight: 0.0, mean: Vec3::new(0.0, 0.0, 0.0), spread: 0.0 }
 }
@@ -53,7 +53,8 @@ pub fn moments_empty() -> Moments {
     family = "filter",
     cite = "[Tokuyoshi15b] section 2.2",
     domain(position = -1e4..=1e4, weight = 0.0..=1e6, origin = -1e4..=1e4),
-    budget(weight = 1e-37, mean = 2e-7 * length(position - origin) + 1e-37, spread = 0.0)
+    budget(weight = 1e-37, mean = 2e-7 * length(position - origin) + 1e-37, spread = 0.0),
+    measured
 )]
 pub fn moments_of_position(position: Vec3, weight: f32, origin: Vec3) -> Moments {
     Moments { weight, mean: position - origin, spread: 0.0 }
@@ -85,7 +86,8 @@ pub fn moments_of_position(position: Vec3, weight: f32, origin: Vec3) -> Moments
         weight = 1e-37,
         mean = 8e-7 * (toksvig_length_paper(sharpness) * length(axis - reference) + toksvig_spread(sharpness) * length(reference)) + 1e-37,
         spread = 1.2e-6 * result.spread
-    )
+    ),
+    measured
 )]
 pub fn moments_of_lobe(axis: Vec3, sharpness: f32, weight: f32, reference: Vec3) -> Moments {
     let u = toksvig_spread(sharpness);
@@ -116,7 +118,8 @@ pub fn moments_of_lobe(axis: Vec3, sharpness: f32, weight: f32, reference: Vec3)
         mean = 7e-7 * (a.weight * length(a.mean) + b.weight * length(b.mean)) / max(a.weight + b.weight, 1e-20)
             + 1e-17 * (length(a.mean) + length(b.mean)) + 1e-37,
         spread = 1.8e-6 * result.spread + 1e-17 * (a.spread + b.spread + dot(a.mean - b.mean, a.mean - b.mean)) + 1e-37
-    )
+    ),
+    measured
 )]
 pub fn moments_merge(a: Moments, b: Moments) -> Moments {
     let weight = a.weight + b.weight;
@@ -156,7 +159,8 @@ pub fn moments_merge(a: Moments, b: Moments) -> Moments {
         spread = 3e-6 * result.spread + 3e-6 * sqrt(result.spread) * moments_distance4(a, b, c, d)
             + 3e-12 * moments_distance4(a, b, c, d) * moments_distance4(a, b, c, d)
             + 1e-16 * (a.spread + b.spread + c.spread + d.spread) + 1e-37
-    )
+    ),
+    measured
 )]
 pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments {
     moments_merge(moments_merge(a, b), moments_merge(c, d))
@@ -186,7 +190,8 @@ pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments
         axis = 1e-6 + 1e-6 / max(length(reference + moments.mean), 1e-6),
         sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(moments.spread, 1e-12)),
         log_amplitude = 0.0
-    )
+    ),
+    measured
 )]
 pub fn moments_to_lobe(moments: Moments, reference: Vec3) -> Sg {
     // Fades to nothing as the weight does, below what `moments_merge` can tell from 0.
@@ -221,7 +226,8 @@ pub fn moments_to_lobe(moments: Moments, reference: Vec3) -> Sg {
         log_amplitude = 0.0
     ),
     variant_of = moments_to_lobe,
-    not_robust = "1 - |m| cancels for sharp lobes"
+    not_robust = "1 - |m| cancels for sharp lobes",
+    measured
 )]
 pub fn moments_to_lobe_paper(mean: Vec3) -> Sg {
     let len = length(mean);
@@ -246,7 +252,8 @@ pub fn moments_to_lobe_paper(mean: Vec3) -> Sg {
     domain(mean_of_squares = 0.0..=3e8, mean = -1e4..=1e4),
     budget(2e-6 * abs(result) + 1e-30),
     variant_of = moments_merge,
-    not_robust = "a difference of near values, far from the origin"
+    not_robust = "a difference of near values, far from the origin",
+    measured
 )]
 pub fn moments_variance_paper(mean_of_squares: f32, mean: Vec3) -> f32 {
     mean_of_squares - dot(mean, mean)
@@ -267,7 +274,7 @@ pub fn moments_variance_paper(mean_of_squares: f32, mean: Vec3) -> f32 {
 /// `1/(2π s²)` means the variance along each axis. With the trace, a disk of VPLs with radius 0.1, 0.3 and 1
 /// times the distance gives 0.968, 0.930 and 0.731 of the light that the VPLs give, with half of it 0.975,
 /// 0.985 and 1.067.
-#[kernel(family = "filter", cite = "[Tokuyoshi15b] section 2.2", domain(trace = 0.0..=1e8), budget(1e-37))]
+#[kernel(family = "filter", cite = "[Tokuyoshi15b] section 2.2", domain(trace = 0.0..=1e8), budget(1e-37), measured)]
 pub fn planar_variance(trace: f32) -> f32 {
     0.5 * trace
 }

@@ -19,7 +19,7 @@ use lobe_codegen::prelude::*;
 /// and back loses 3e-4 of a sharpness of 1e4 and 1e-2 of 1e6. The model is not the lobe's own mean,
 /// `coth k - 1/k`, which is 0.537 instead of 0.667 at `k = 2` and 0.900 instead of 0.909 at 10; it is the
 /// clamped cosine's, though: a mean of 2/3 is a sharpness of 2.
-#[kernel(family = "filter", cite = "[Toksvig05]", domain(sharpness = 0.0..=1e6), budget(6e-7 * result))]
+#[kernel(family = "filter", cite = "[Toksvig05]", domain(sharpness = 0.0..=1e6), budget(6e-7 * result), measured)]
 pub fn toksvig_spread(sharpness: f32) -> f32 {
     1.0 / (sharpness + 1.0)
 }
@@ -34,7 +34,7 @@ pub fn toksvig_spread(sharpness: f32) -> f32 {
 /// | `spread` | `u` | 1e-7 ..= 1 | 1 |
 ///
 /// Returns the sharpness, at least 0; a spread below 1e-30 counts as that.
-#[kernel(family = "filter", cite = "[Toksvig05]", domain(spread = 1e-7..=1.0), budget(6e-7 * result))]
+#[kernel(family = "filter", cite = "[Toksvig05]", domain(spread = 1e-7..=1.0), budget(6e-7 * result), measured)]
 pub fn toksvig_sharpness(spread: f32) -> f32 {
     max(1.0 - spread, 0.0) / max(spread, 1e-30)
 }
@@ -50,7 +50,8 @@ pub fn toksvig_sharpness(spread: f32) -> f32 {
     cite = "[Tokuyoshi15b] section 2.1",
     domain(sharpness = 0.0..=1e6),
     budget(6e-7 * result + 1e-37),
-    variant_of = toksvig_spread
+    variant_of = toksvig_spread,
+    measured
 )]
 pub fn toksvig_length_paper(sharpness: f32) -> f32 {
     sharpness / (sharpness + 1.0)
@@ -74,7 +75,8 @@ pub fn toksvig_length_paper(sharpness: f32) -> f32 {
     cite = "[Tokuyoshi15b] section 2.1",
     domain(len = 0.0..=0.999999),
     budget(6e-7 * result + 1e-37),
-    variant_of = toksvig_sharpness
+    variant_of = toksvig_sharpness,
+    measured
 )]
 pub fn toksvig_sharpness_paper(len: f32) -> f32 {
     len / max(1.0 - len, 1e-30)

@@ -20,7 +20,8 @@ use lobe_codegen::prelude::*;
     cite = "definition; polynomial",
     domain(y = 0.0..=1e18, x = 1e-6..=1e18),
     budget(1.5e-6 * result + 1e-30),
-    truth = exact_arctangent
+    truth = exact_arctangent,
+    measured
 )]
 pub fn arctangent(y: f32, x: f32) -> f32 {
     let t = min(y, x) / max(max(y, x), 1e-30);
@@ -51,7 +52,8 @@ fn exact_arctangent(y: f64, x: f64) -> f64 {
     cite = "definition; polynomial",
     domain(depth = 0.0..=1.0),
     budget(1e-6 * result),
-    truth = exact_angle_over_sine
+    truth = exact_angle_over_sine,
+    measured
 )]
 pub fn angle_over_sine(depth: f32) -> f32 {
     let u = depth;
@@ -85,7 +87,8 @@ fn exact_angle_over_sine(depth: f64) -> f64 {
     cite = "definition; polynomial",
     domain(chord_squared = 0.0..=2.0),
     budget(2e-6 * result + 1e-30),
-    truth = exact_circle_segment
+    truth = exact_circle_segment,
+    measured
 )]
 pub fn circle_segment(chord_squared: f32) -> f32 {
     let q = chord_squared;
@@ -128,7 +131,8 @@ fn exact_circle_segment(chord_squared: f64) -> f64 {
     cite = "definition; series",
     domain(x = 0.0..=1e18),
     budget(2e-6 * result),
-    truth = exact_log1p_over_x
+    truth = exact_log1p_over_x,
+    measured
 )]
 pub fn log1p_over_x(x: f32) -> f32 {
     if x < 1.0 {

@@ -19,7 +19,8 @@ use lobe_codegen::prelude::*;
     family = "rect",
     cite = "[RectGlossy] eq. 24",
     domain(theta = 0.0..=1.5707963267948966),
-    budget(1e-7 * result + 1e-37)
+    budget(1e-7 * result + 1e-37),
+    measured
 )]
 pub fn rect_psi(theta: f32) -> f32 {
     0.5 * theta
@@ -45,7 +46,8 @@ pub fn rect_psi(theta: f32) -> f32 {
     cite = "[RectGlossy] eq. 24",
     domain(tan_theta = 0.0..=1e7, tan_sigma = 0.0..=1e4),
     budget(1.5e-6 * result + 1e-30),
-    variant_of = rect_psi
+    variant_of = rect_psi,
+    measured
 )]
 pub fn rect_psi_paper(tan_theta: f32, tan_sigma: f32) -> f32 {
     0.5 * arctangent(tan_theta, 1.0 + tan_sigma * tan_theta)
@@ -69,7 +71,8 @@ pub fn rect_psi_paper(tan_theta: f32, tan_sigma: f32) -> f32 {
     family = "rect",
     cite = "[RectGlossy] eq. 23",
     domain(tan_theta = 0.0..=1e7, alpha = 0.001..=1.0),
-    budget(6e-6 * result)
+    budget(6e-6 * result),
+    measured
 )]
 pub fn rect_falloff(tan_theta: f32, alpha: f32) -> f32 {
     let secant_squared = 1.0 + tan_theta * tan_theta;
@@ -98,7 +101,8 @@ pub fn rect_falloff(tan_theta: f32, alpha: f32) -> f32 {
     cite = "[RectGlossy] eq. 23, 24",
     domain(tan_theta = 0.0..=1e7, tan_sigma = 0.0..=1e4, alpha = 0.001..=1.0),
     budget(8e-6 * result),
-    variant_of = rect_falloff
+    variant_of = rect_falloff,
+    measured
 )]
 pub fn rect_falloff_paper(tan_theta: f32, tan_sigma: f32, alpha: f32) -> f32 {
     rect_falloff(tan_theta / max(1.0 + tan_sigma * tan_theta, 1.0), alpha)
@@ -120,7 +124,8 @@ pub fn rect_falloff_paper(tan_theta: f32, tan_sigma: f32, alpha: f32) -> f32 {
     family = "rect",
     cite = "[RectGlossy] eq. 25",
     domain(cos_sigma = 1e-3..=1.0, alpha = 0.001..=1.0),
-    budget(1e-6 * abs(result) + 1e-6)
+    budget(1e-6 * abs(result) + 1e-6),
+    measured
 )]
 pub fn rect_attenuation(cos_sigma: f32, alpha: f32) -> f32 {
     0.288 * cos_sigma / max(alpha * alpha, 1e-12) - 0.673
@@ -151,7 +156,8 @@ pub fn rect_attenuation(cos_sigma: f32, alpha: f32) -> f32 {
     family = "rect",
     cite = "[RectGlossy] eq. 25",
     domain(tan_theta = 0.0..=1e7, cos_sigma = 1e-3..=1.0, alpha = 0.001..=1.0),
-    budget(3e-6)
+    budget(3e-6),
+    measured
 )]
 pub fn rect_falloff_fit(tan_theta: f32, cos_sigma: f32, alpha: f32) -> f32 {
     let secant_squared = 1.0 + tan_theta * tan_theta;

@@ -40,7 +40,8 @@ use lobe_codegen::prelude::*;
         radiance = rect_shade_error(rectangle, rect_reflection(rectangle.normal, alpha, reflectance, light), receiver, radius, result)
             + 1e-7 * (light.irradiance * reflectance / (alpha * alpha))
                 * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
-    )
+    ),
+    measured
 )]
 pub fn rect_shade_light(
     rectangle: Rectangle,
@@ -73,7 +74,8 @@ pub fn rect_shade_light(
                 * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
     ),
     variant_of = rect_shade_light,
-    not_robust = "bandwidths pass zero for a disk of 19.98 times its distance"
+    not_robust = "bandwidths pass zero for a disk of 19.98 times its distance",
+    measured
 )]
 pub fn rect_shade_light_unlimited(
     rectangle: Rectangle,
@@ -111,7 +113,8 @@ pub fn rect_shade_light_unlimited(
                 * (receiver.reflectance / (receiver.alpha * receiver.alpha)) + 1e-20
     ),
     variant_of = rect_shade_light,
-    not_robust = "bandwidths pass zero for a disk of 19.98 times its distance"
+    not_robust = "bandwidths pass zero for a disk of 19.98 times its distance",
+    measured
 )]
 pub fn rect_shade_light_paper(
     rectangle: Rectangle,

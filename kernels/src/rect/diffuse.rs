@@ -38,7 +38,8 @@ pub const LEVEL: f32 = 1e-6;
     domain(
         axis = unit, lambda = 0.0..=1e6, mu = 0.0..=1e6, energy = 0.0..=1e6, normal = unit, albedo = 0.0..=1.0
     ),
-    budget(1.5e-5 * energy * albedo / PI + 1e-30)
+    budget(1.5e-5 * energy * albedo / PI + 1e-30),
+    measured
 )]
 pub fn rect_diffuse_glossy(axis: Vec3, lambda: f32, mu: f32, energy: f32, normal: Vec3, albedo: f32) -> f32 {
     let sharpness = min(2.0 * (sqrt(lambda) * sqrt(mu)), 1e5);
@@ -72,7 +73,8 @@ pub fn rect_diffuse_glossy(axis: Vec3, lambda: f32, mu: f32, energy: f32, normal
             + min(4e-6 * (length(start) * length(edge)) / max(length(cross(start, edge)), 1e-18)
                 * (length(start) + length(edge)) / max(length(start + edge), 1e-12), 8.0)
             + select(0.0, 8.0, min(length(start), length(start + edge)) < 1e-6) + 1e-9
-    )
+    ),
+    measured
 )]
 pub fn polygon_edge(start: Vec3, edge: Vec3, normal: Vec3) -> f32 {
     let to = start + edge;
@@ -108,7 +110,8 @@ pub fn polygon_edge(start: Vec3, edge: Vec3, normal: Vec3) -> f32 {
     family = "rect",
     cite = "[Lambert1760]",
     domain(position = -100.0..=100.0, normal = unit),
-    budget(min(rect_form_factor_error(rectangle, position, normal), 1.0))
+    budget(min(rect_form_factor_error(rectangle, position, normal), 1.0)),
+    measured
 )]
 pub fn rect_form_factor(rectangle: Rectangle, position: Vec3, normal: Vec3) -> f32 {
     let middle = rectangle.position - position;
@@ -159,7 +162,8 @@ pub fn rect_form_factor(rectangle: Rectangle, position: Vec3, normal: Vec3) -> f
         form_factor = 0.0..=1.0, albedo = 0.0..=1.0, rectangle_albedo = 0.0..=1.0, cos_sigma = -1.0..=1.0,
         irradiance = 0.0..=1e4
     ),
-    budget(1e-6 * result + 1e-30)
+    budget(1e-6 * result + 1e-30),
+    measured
 )]
 pub fn rect_diffuse_matt(
     form_factor: f32,

@@ -28,7 +28,8 @@ use lobe_codegen::prelude::*;
     domain(
         factor = 0.1..=10.0, alpha = 0.001..=1.0, dist = 1e-3..=1e4, half_x = 1e-3..=100.0, half_y = 1e-3..=100.0
     ),
-    budget(2e-6 * result)
+    budget(2e-6 * result),
+    measured
 )]
 pub fn rect_disk_radius(factor: f32, alpha: f32, dist: f32, half_x: f32, half_y: f32) -> f32 {
     min(factor * alpha * dist, sqrt(half_x * half_y * (2.0 / HALF_PI)))
@@ -47,7 +48,7 @@ pub fn rect_disk_radius(factor: f32, alpha: f32, dist: f32, half_x: f32, half_y:
 /// Returns the area, in 0 ..= π/4; 0 for a corner outside the disk.
 ///
 /// Numerics: two parts that are not negative. Where the root makes one leg uncertain, the other one is small.
-#[kernel(family = "rect", cite = "elementary", domain(x = 0.0..=1.0, y = 0.0..=1.0), budget(2e-6))]
+#[kernel(family = "rect", cite = "elementary", domain(x = 0.0..=1.0, y = 0.0..=1.0), budget(2e-6), measured)]
 pub fn disk_corner(x: f32, y: f32) -> f32 {
     let across = max(sqrt(max((1.0 - y) * (1.0 + y), 0.0)) - x, 0.0);
     let along = max(sqrt(max((1.0 - x) * (1.0 + x), 0.0)) - y, 0.0);
@@ -64,7 +65,7 @@ pub fn disk_corner(x: f32, y: f32) -> f32 {
 /// | `x`, `y` | the corner | 0 ..= 1 | 1 |
 ///
 /// Returns the area, in 0 ..= π/4.
-#[kernel(family = "rect", cite = "elementary", domain(x = 0.0..=1.0, y = 0.0..=1.0), budget(3e-6))]
+#[kernel(family = "rect", cite = "elementary", domain(x = 0.0..=1.0, y = 0.0..=1.0), budget(3e-6), measured)]
 pub fn disk_block(x: f32, y: f32) -> f32 {
     let part = 0.5 * HALF_PI - disk_corner(x, 0.0) - disk_corner(0.0, y);
     select(part, x * y, x * x + y * y <= 1.0)
@@ -92,7 +93,8 @@ pub fn disk_block(x: f32, y: f32) -> f32 {
         half_x = 1e-3..=100.0, half_y = 1e-3..=100.0, center_x = -1e4..=1e4, center_y = -1e4..=1e4,
         radius = 1e-3..=1e4
     ),
-    budget(1e-6 * result + min(8e-6 * radius * radius, 4.00001 * min(half_x, radius) * min(half_y, radius)))
+    budget(1e-6 * result + min(8e-6 * radius * radius, 4.00001 * min(half_x, radius) * min(half_y, radius))),
+    measured
 )]
 pub fn rect_disk_area(half_x: f32, half_y: f32, center_x: f32, center_y: f32, radius: f32) -> f32 {
     let scale = 1.0 / max(radius, 1e-12);
@@ -128,7 +130,8 @@ pub fn rect_disk_area(half_x: f32, half_y: f32, center_x: f32, center_y: f32, ra
     budget(
         4e-6 * ((min(abs(center_x), half_x + radius) + min(half_x, radius)) * min(half_y, radius)
             + (min(abs(center_y), half_y + radius) + min(half_y, radius)) * min(half_x, radius))
-    )
+    ),
+    measured
 )]
 pub fn rect_disk_bounds(half_x: f32, half_y: f32, center_x: f32, center_y: f32, radius: f32) -> f32 {
     let gap_x = max(abs(center_x) - half_x, 0.0);
@@ -153,7 +156,8 @@ pub fn rect_disk_bounds(half_x: f32, half_y: f32, center_x: f32, center_y: f32, 
         half_x = 1e-3..=100.0, half_y = 1e-3..=100.0, center_x = -1e4..=1e4, center_y = -1e4..=1e4,
         radius = 1e-3..=1e4
     ),
-    budget(2e-6 * result + min(3e-6, 1.3 * (min(half_x, radius) / radius) * (min(half_y, radius) / radius)))
+    budget(2e-6 * result + min(3e-6, 1.3 * (min(half_x, radius) / radius) * (min(half_y, radius) / radius))),
+    measured
 )]
 pub fn rect_coverage(half_x: f32, half_y: f32, center_x: f32, center_y: f32, radius: f32) -> f32 {
     let area = rect_disk_area(half_x, half_y, center_x, center_y, radius);
@@ -179,7 +183,8 @@ pub fn rect_coverage(half_x: f32, half_y: f32, center_x: f32, center_y: f32, rad
             + 1.5e-6 * (min(abs(center_x), half_x + radius) / radius * (min(half_y, radius) / radius)
                 + min(abs(center_y), half_y + radius) / radius * (min(half_x, radius) / radius))
     ),
-    variant_of = rect_coverage
+    variant_of = rect_coverage,
+    measured
 )]
 pub fn rect_coverage_bounds(half_x: f32, half_y: f32, center_x: f32, center_y: f32, radius: f32) -> f32 {
     min(rect_coverage_paper(half_x, half_y, center_x, center_y, radius), 1.0)
@@ -202,7 +207,8 @@ pub fn rect_coverage_bounds(half_x: f32, half_y: f32, center_x: f32, center_y: f
             + 1.5e-6 * (min(abs(center_x), half_x + radius) / radius * (min(half_y, radius) / radius)
                 + min(abs(center_y), half_y + radius) / radius * (min(half_x, radius) / radius))
     ),
-    variant_of = rect_coverage
+    variant_of = rect_coverage,
+    measured
 )]
 pub fn rect_coverage_paper(half_x: f32, half_y: f32, center_x: f32, center_y: f32, radius: f32) -> f32 {
     let area = rect_disk_bounds(half_x, half_y, center_x, center_y, radius);

@@ -25,7 +25,8 @@ use lobe_codegen::prelude::*;
     family = "rect",
     cite = "[RectGlossy] eq. 4, 5",
     domain(cos_sigma = 0.0..=1.0, alpha = 0.001..=1.0, reflectance = 0.0..=100.0, irradiance = 0.0..=1e4),
-    budget(1e-6 * result + 1e-27)
+    budget(1e-6 * result + 1e-27),
+    measured
 )]
 pub fn rect_radiance(cos_sigma: f32, alpha: f32, reflectance: f32, irradiance: f32) -> f32 {
     reflectance * irradiance * cos_sigma / (2.0 * HALF_PI * max(alpha * alpha, 1e-12))
@@ -43,7 +44,8 @@ pub fn rect_radiance(cos_sigma: f32, alpha: f32, reflectance: f32, irradiance: f
     cite = "[RectGlossy] eq. 17",
     domain(cos_sigma = 0.0..=1.0, reflectance = 0.0..=100.0, irradiance = 0.0..=1e4),
     budget(5e-7 * result + 1e-30),
-    variant_of = rect_radiance
+    variant_of = rect_radiance,
+    measured
 )]
 pub fn rect_radiance_paper(cos_sigma: f32, reflectance: f32, irradiance: f32) -> f32 {
     reflectance * irradiance * cos_sigma
@@ -66,7 +68,8 @@ pub fn rect_radiance_paper(cos_sigma: f32, reflectance: f32, irradiance: f32) ->
     family = "rect",
     cite = "[RectGlossy] eq. 27",
     domain(ratio = 0.0..=1e6, cos_sigma = 0.0..=1.0),
-    budget(1.2e-6 * result + 2e-30)
+    budget(1.2e-6 * result + 2e-30),
+    measured
 )]
 pub fn rect_aperture(ratio: f32, cos_sigma: f32) -> f32 {
     let slope = ratio * cos_sigma;
@@ -82,7 +85,8 @@ pub fn rect_aperture(ratio: f32, cos_sigma: f32) -> f32 {
     domain(ratio = 0.0..=1e6, cos_sigma = 0.0..=1.0),
     budget(1e-6 * result + 1e-30),
     variant_of = rect_aperture,
-    not_robust = "the difference of two numbers near 1 loses the digits of a small disk"
+    not_robust = "the difference of two numbers near 1 loses the digits of a small disk",
+    measured
 )]
 pub fn rect_aperture_paper(ratio: f32, cos_sigma: f32) -> f32 {
     let slope = ratio * cos_sigma;
@@ -109,7 +113,8 @@ pub fn rect_aperture_paper(ratio: f32, cos_sigma: f32) -> f32 {
     family = "rect",
     cite = "[RectGlossy] eq. 27",
     domain(coverage = 0.0..=1.274, radiance = 0.0..=1e9, attenuation = -0.673..=3e5, aperture = 0.0..=1.0),
-    budget(4e-6 * result + 1e-28)
+    budget(4e-6 * result + 1e-28),
+    measured
 )]
 pub fn rect_energy(coverage: f32, radiance: f32, attenuation: f32, aperture: f32) -> f32 {
     // The limits bind nobody; they hold for a driver that may not know on which side of 1 the exponent is.
@@ -127,7 +132,8 @@ pub fn rect_energy(coverage: f32, radiance: f32, attenuation: f32, aperture: f32
     domain(coverage = 0.0..=1.274, radiance = 0.0..=1e9, attenuation = -0.673..=3e5, aperture = 0.0..=1.0),
     budget(4e-6 * result + 1e-28),
     variant_of = rect_energy,
-    not_robust = "0/0 where the fitted exponent is zero, and 1 - exp(-k t) cancels beside it"
+    not_robust = "0/0 where the fitted exponent is zero, and 1 - exp(-k t) cancels beside it",
+    measured
 )]
 pub fn rect_energy_paper(coverage: f32, radiance: f32, attenuation: f32, aperture: f32) -> f32 {
     coverage * (2.0 * HALF_PI / attenuation) * (1.0 - exp(-attenuation * aperture)) * radiance
@@ -153,7 +159,8 @@ pub fn rect_energy_paper(coverage: f32, radiance: f32, attenuation: f32, apertur
         coverage = 0.0..=1.274, radiance = 0.0..=1e9, cos_sigma = 1e-3..=1.0, ratio = 0.0..=1e6,
         alpha = 0.001..=1.0
     ),
-    budget(7e-6 * result + 1e-26)
+    budget(7e-6 * result + 1e-26),
+    measured
 )]
 pub fn rect_disk_energy(coverage: f32, radiance: f32, cos_sigma: f32, ratio: f32, alpha: f32) -> f32 {
     rect_energy(coverage, radiance, rect_attenuation(cos_sigma, alpha), rect_aperture(ratio, cos_sigma))
@@ -184,7 +191,8 @@ pub fn rect_disk_energy(coverage: f32, radiance: f32, cos_sigma: f32, ratio: f32
         coverage = 0.0..=1.274, reflected = 0.0..=1e6, cos_sigma = 0.0..=1.0, ratio = 0.0..=1e6,
         alpha = 0.001..=1.0
     ),
-    budget(3e-6 * result + 1e-23)
+    budget(3e-6 * result + 1e-23),
+    measured
 )]
 pub fn rect_energy_ggx(coverage: f32, reflected: f32, cos_sigma: f32, ratio: f32, alpha: f32) -> f32 {
     let slope = 0.5 * ratio / max(alpha, 1e-6);

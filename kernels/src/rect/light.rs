@@ -52,7 +52,8 @@ pub struct DiskLobe {
 #[kernel(
     family = "rect",
     cite = "[RectGlossy] eq. 2",
-    budget(z = 1e-37, x = 1e-37, y = 1e-37, lambda = 1e-37, mu = 1e-37, amplitude = 1e-37)
+    budget(z = 1e-37, x = 1e-37, y = 1e-37, lambda = 1e-37, mu = 1e-37, amplitude = 1e-37),
+    measured
 )]
 pub fn rect_disk_asg(disk: DiskLobe) -> Asg {
     Asg { z: disk.z, x: disk.x, y: disk.y, lambda: disk.lambda, mu: disk.mu, amplitude: disk.amplitude }
@@ -69,7 +70,7 @@ pub fn rect_disk_asg(disk: DiskLobe) -> Asg {
 ///
 /// Returns the bandwidth, in 1.68 ..= 3e12. The printed form ([`rect_bandwidth_paper`]) falls below 0 at 19.98, and
 /// from 4 on the integral of the lobe is no longer `π/√(λ μ)` (23 % off there).
-#[kernel(family = "rect", cite = "[RectGlossy] eq. 32", domain(ratio = 1e-6..=1e6), budget(3e-6 * result))]
+#[kernel(family = "rect", cite = "[RectGlossy] eq. 32", domain(ratio = 1e-6..=1e6), budget(3e-6 * result), measured)]
 pub fn rect_bandwidth(ratio: f32) -> f32 {
     rect_bandwidth_paper(min(ratio, 4.0))
 }
@@ -84,7 +85,8 @@ pub fn rect_bandwidth(ratio: f32) -> f32 {
     cite = "[RectGlossy] eq. 32",
     domain(ratio = 1e-6..=1e6),
     budget(3e-6 * abs(result) + 1e-5),
-    variant_of = rect_bandwidth
+    variant_of = rect_bandwidth,
+    measured
 )]
 pub fn rect_bandwidth_paper(ratio: f32) -> f32 {
     let square = max(ratio * ratio, 1e-20);
@@ -108,7 +110,8 @@ pub fn rect_bandwidth_paper(ratio: f32) -> f32 {
     family = "rect",
     cite = "[RectGlossy] eq. 32",
     domain(ratio = 1e-3..=1e3, cos_sigma = 1e-5..=1.0),
-    budget(4e-6 * abs(result) + 1e-5)
+    budget(4e-6 * abs(result) + 1e-5),
+    measured
 )]
 pub fn rect_bandwidth_slope(ratio: f32, cos_sigma: f32) -> f32 {
     let wide = ratio * ratio;
@@ -143,7 +146,8 @@ pub fn rect_bandwidth_slope(ratio: f32, cos_sigma: f32) -> f32 {
             + select(0.0, 2.5, length(cross(normal, axis)) < 1.001e-4),
         z_axis = min(4e-6 / max(length(cross(normal, axis)), 1e-5), 4.5)
             + select(0.0, 4.5, length(cross(normal, axis)) < 1.001e-4)
-    )
+    ),
+    measured
 )]
 pub fn rect_disk_frame(axis: Vec3, normal: Vec3, tangent: Vec3) -> Mat3 {
     let across = cross(normal, axis);
@@ -186,7 +190,8 @@ pub fn rect_disk_frame(axis: Vec3, normal: Vec3, tangent: Vec3) -> Mat3 {
         amplitude = (1e-5 + 4e-6 * result.half_x / result.half_y) * result.amplitude + 1e-28,
         half_x = 2e-6 * result.half_x,
         half_y = 4e-6 * result.half_x
-    )
+    ),
+    measured
 )]
 pub fn rect_asg_from_disk(
     peak: Vec3,
@@ -223,7 +228,8 @@ pub fn rect_asg_from_disk(
         half_x = 2e-6 * result.half_x,
         half_y = 4e-6 * result.half_x
     ),
-    variant_of = rect_asg_from_disk
+    variant_of = rect_asg_from_disk,
+    measured
 )]
 pub fn rect_asg_from_disk_paper(
     peak: Vec3,
@@ -265,7 +271,8 @@ pub fn rect_asg_from_disk_paper(
         lambda = 3e-6 * abs(result.lambda) + 1e-5,
         mu = 3e-6 * abs(result.mu) + 1e-5,
         amplitude = 1e-5 * result.amplitude + 1e-24
-    )
+    ),
+    measured
 )]
 pub fn rect_lobe(frame: Mat3, half_x: f32, half_y: f32, energy: f32) -> DiskLobe {
     let lambda = rect_bandwidth_paper(half_x);

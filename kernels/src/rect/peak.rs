@@ -50,7 +50,8 @@ pub struct SpecularPeak {
         reflected = 2e-6,
         dist = 2e-6 * (abs(result.dist) + length(position - rectangle.position))
             / max(dot(light_dir, rectangle.normal), LEAST_COSINE) + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn rect_specular_peak(rectangle: Rectangle, light_dir: Vec3, position: Vec3) -> SpecularPeak {
     let cosine = dot(light_dir, rectangle.normal);

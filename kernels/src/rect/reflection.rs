@@ -64,7 +64,8 @@ pub struct Reflection {
         cos_sigma = 3e-7,
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-6 * result.radiance + 1e-7 * (reflectance * light.irradiance) / (alpha * alpha) + 1e-27
-    )
+    ),
+    measured
 )]
 pub fn rect_reflection(normal: Vec3, alpha: f32, reflectance: f32, light: DistantLight) -> Reflection {
     let cosine = dot(normal, light.direction);
@@ -89,7 +90,8 @@ pub fn rect_reflection(normal: Vec3, alpha: f32, reflectance: f32, light: Distan
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-6 * result.radiance + 3e-7 * (reflectance * light.irradiance) + 1e-30
     ),
-    variant_of = rect_reflection
+    variant_of = rect_reflection,
+    measured
 )]
 pub fn rect_reflection_paper(normal: Vec3, alpha: f32, reflectance: f32, light: DistantLight) -> Reflection {
     let cosine = dot(normal, light.direction);
@@ -119,7 +121,8 @@ pub fn rect_reflection_paper(normal: Vec3, alpha: f32, reflectance: f32, light: 
         cos_sigma = 3e-7,
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-37
-    )
+    ),
+    measured
 )]
 pub fn rect_reflected(normal: Vec3, alpha: f32, light_dir: Vec3, radiance: f32) -> Reflection {
     let cos_sigma = dot(normal, light_dir);

@@ -117,7 +117,8 @@ pub struct RectShade {
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
-    )
+    ),
+    measured
 )]
 pub fn rect_shade(
     rectangle: Rectangle,
@@ -153,7 +154,8 @@ pub fn rect_shade(
         sharpness = (2e-6 + 4e-7 / max(dot(receiver.normal, receiver.view), 1e-3)) * result.sharpness,
         mirror = 2e-6,
         radiance = rect_shade_error(rectangle, reflection, receiver, radius, result) + 1e-20
-    )
+    ),
+    measured
 )]
 pub fn rect_shade_within(
     rectangle: Rectangle,

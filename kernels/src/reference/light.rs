@@ -21,7 +21,7 @@ pub const INVERSE_ROOT_TWO: f32 = 0.70710678118654752440;
 ///
 /// Numerics: within 2e-8 of the exact angle; the shading languages let `acos` err by 7e-5. The chord is exact for
 /// near directions.
-#[kernel(family = "reference", cite = "[Abramowitz64] eq. 4.4.46", domain(a = unit, b = unit), budget(2e-6 * result + 1e-18))]
+#[kernel(family = "reference", cite = "[Abramowitz64] eq. 4.4.46", domain(a = unit, b = unit), budget(2e-6 * result + 1e-18), measured)]
 pub fn angle_between(a: Vec3, b: Vec3) -> f32 {
     let chord = a - b;
     let c = max(dot(a, b), 0.0);
@@ -49,7 +49,8 @@ pub fn angle_between(a: Vec3, b: Vec3) -> f32 {
     family = "reference",
     cite = "[Pharr23] section 12.2.1",
     domain(axis = unit, outer = 0.02..=1.57, blend = 1e-3..=1.57, light = unit, dist = 1e-3..=1e4),
-    budget((6e-7 + 3e-6 / blend) / (dist * dist))
+    budget((6e-7 + 3e-6 / blend) / (dist * dist)),
+    measured
 )]
 pub fn spot_irradiance(axis: Vec3, outer: f32, blend: f32, light: Vec3, dist: f32) -> f32 {
     let falloff = clamp((outer - angle_between(axis, -light)) / blend, 0.0, 1.0);

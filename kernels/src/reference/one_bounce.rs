@@ -61,7 +61,8 @@ pub struct OneBounce {
     domain(dir = unit),
     budget(
         transfer_error(bounce, dir)
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_transfer(bounce: OneBounce, dir: Vec3) -> Vec3 {
     surface_brdf_cosine(bounce.material, bounce.normal, dir, bounce.view)
@@ -88,7 +89,8 @@ pub fn one_bounce_transfer(bounce: OneBounce, dir: Vec3) -> Vec3 {
     budget(
         turned_transfer_error(bounce, direction_to(bounce, place))
             / max(dot(place - bounce.position, place - bounce.position), 1e-8)
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_area_integrand(bounce: OneBounce, place: Vec3) -> Vec3 {
     let offset = place - bounce.position;
@@ -114,7 +116,8 @@ pub fn one_bounce_area_integrand(bounce: OneBounce, place: Vec3) -> Vec3 {
         ((7e-6 + 2e-6 / bounce.material.alpha + 2e-6 / bounce.rectangle_material.alpha) * one_bounce_cosines(bounce, dir) + 8e-7)
             * ggx_ndf_between(bounce.normal, dir, bounce.view, bounce.material.alpha)
             * ggx_ndf_between(bounce.rectangle.normal, bounce.light, -dir, bounce.rectangle_material.alpha) + 1e-8
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_ndf_transfer(bounce: OneBounce, dir: Vec3) -> f32 {
     let receiver = ggx_ndf_between(bounce.normal, dir, bounce.view, bounce.material.alpha);
@@ -134,7 +137,7 @@ pub fn one_bounce_ndf_transfer(bounce: OneBounce, dir: Vec3) -> f32 {
 /// | `dir` | unit direction `w` from the point | sphere | 1 |
 ///
 /// Returns the product, in 0 ..= 1.
-#[kernel(family = "reference", cite = "[RectGlossy] eq. 3", domain(dir = unit), budget(1e-6))]
+#[kernel(family = "reference", cite = "[RectGlossy] eq. 3", domain(dir = unit), budget(1e-6), measured)]
 pub fn one_bounce_cosines(bounce: OneBounce, dir: Vec3) -> f32 {
     let towards_light = max(dot(bounce.rectangle.normal, bounce.light), 0.0);
     let towards_point = max(-dot(bounce.rectangle.normal, dir), 0.0);
@@ -165,7 +168,8 @@ pub fn one_bounce_cosines(bounce: OneBounce, dir: Vec3) -> f32 {
         2e-5 + 1e-5 * bounce.material.alpha / (1.0 - u.y) * (2.0 + 1e-5 * bounce.material.alpha / (1.0 - u.y))
             + 3e-6 * (length(bounce.rectangle.position) + bounce.rectangle.half_x + bounce.rectangle.half_y + length(bounce.position))
             / max(length(rectangle_point(bounce.rectangle, u) - bounce.position), 1e-6)
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_sample(bounce: OneBounce, strategy: u32, u: Vec2) -> Vec3 {
     if strategy == 0 {
@@ -205,7 +209,8 @@ pub fn one_bounce_sample(bounce: OneBounce, strategy: u32, u: Vec2) -> Vec3 {
     domain(dir = unit, dist = 1e-3..=1e4),
     budget(
         density_error(bounce, dir, dist)
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_density(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
     let by_area = 0.25 * (dist / bounce.rectangle.half_x) * (dist / bounce.rectangle.half_y);
@@ -237,7 +242,8 @@ pub fn one_bounce_density(bounce: OneBounce, dir: Vec3, dist: f32) -> f32 {
     budget(
         (transfer_error(bounce, dir) + density_error(bounce, dir, dist) * largest(result))
             * 0.6 / least_density(bounce, dir, dist)
-    )
+    ),
+    measured
 )]
 pub fn one_bounce_estimate(bounce: OneBounce, dir: Vec3, dist: f32) -> Vec3 {
     one_bounce_transfer(bounce, dir) / max(one_bounce_density(bounce, dir, dist), 1e-20)

@@ -14,7 +14,7 @@ use lobe_codegen::prelude::*;
 /// | `seed` | any number | 32 bits | 1 |
 ///
 /// Returns 32 bits; a permutation of all seeds.
-#[kernel(family = "reference", cite = "[Jarzynski20] pcg", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg", domain(seed = 0.0..=4294967295.0), budget(0.0), measured)]
 pub fn pcg_hash(seed: u32) -> u32 {
     let state = seed.wrapping_mul(747796405).wrapping_add(2891336453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277803737);
@@ -30,7 +30,7 @@ pub fn pcg_hash(seed: u32) -> u32 {
 /// | `seed` | any three numbers | 32 bits each | 1 |
 ///
 /// Returns three times 32 bits; a permutation of all triples.
-#[kernel(family = "reference", cite = "[Jarzynski20] pcg3d", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg3d", domain(seed = 0.0..=4294967295.0), budget(0.0), measured)]
 pub fn pcg3d(seed: UVec3) -> UVec3 {
     let mut x = seed.x.wrapping_mul(1664525).wrapping_add(1013904223);
     let mut y = seed.y.wrapping_mul(1664525).wrapping_add(1013904223);
@@ -56,7 +56,7 @@ pub fn pcg3d(seed: UVec3) -> UVec3 {
 /// | `seed` | any four numbers | 32 bits each | 1 |
 ///
 /// Returns four times 32 bits; a permutation of all quadruples.
-#[kernel(family = "reference", cite = "[Jarzynski20] pcg4d", domain(seed = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Jarzynski20] pcg4d", domain(seed = 0.0..=4294967295.0), budget(0.0), measured)]
 pub fn pcg4d(seed: UVec4) -> UVec4 {
     let mut x = seed.x.wrapping_mul(1664525).wrapping_add(1013904223);
     let mut y = seed.y.wrapping_mul(1664525).wrapping_add(1013904223);
@@ -87,7 +87,7 @@ pub fn pcg4d(seed: UVec4) -> UVec4 {
 /// | `bits` | random bits | 32 bits | 1 |
 ///
 /// Returns a multiple of 2^-24 in 0 ..= 1 - 2^-24, all equally often; exact.
-#[kernel(family = "reference", cite = "[ONeill14] section 6", domain(bits = 0.0..=4294967295.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[ONeill14] section 6", domain(bits = 0.0..=4294967295.0), budget(0.0), measured)]
 pub fn uniform_of_bits(bits: u32) -> f32 {
     (bits >> 8) as f32 * 5.9604644775390625e-8
 }
@@ -108,7 +108,8 @@ pub fn uniform_of_bits(bits: u32) -> f32 {
     family = "reference",
     cite = "[Jarzynski20] pcg3d",
     domain(pixel = 0.0..=4294967295.0, index = 0.0..=4294967295.0, dimension = 0.0..=4294967295.0),
-    budget(0.0)
+    budget(0.0),
+    measured
 )]
 pub fn random_pair(pixel: u32, index: u32, dimension: u32) -> Vec2 {
     let hash = pcg3d(UVec3::new(pixel, index, dimension));

@@ -20,7 +20,8 @@ use lobe_codegen::prelude::*;
     family = "reference",
     cite = "[Pharr23] section 6.6",
     domain(u = 0.0..=1.0),
-    budget(6e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y))
+    budget(6e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y)),
+    measured
 )]
 pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {
     let across = cross(rectangle.normal, rectangle.tangent);
@@ -51,7 +52,8 @@ pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {
         x = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_x + 1e-30,
         y = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_y + 1e-30,
         z = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) / max(-dot(dir, rectangle.normal), 1e-4) + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn rectangle_intersect(rectangle: Rectangle, origin: Vec3, dir: Vec3) -> Vec3 {
     let from_centre = origin - rectangle.position;
@@ -75,7 +77,7 @@ pub fn rectangle_intersect(rectangle: Rectangle, origin: Vec3, dir: Vec3) -> Vec
 /// | `meeting` | what [`rectangle_intersect`] returned | any | 1, m |
 ///
 /// Returns whether it does.
-#[kernel(family = "reference", cite = "[Pharr23] section 6.6", domain(meeting = -2.0..=2.0), budget(0.0))]
+#[kernel(family = "reference", cite = "[Pharr23] section 6.6", domain(meeting = -2.0..=2.0), budget(0.0), measured)]
 pub fn rectangle_is_met(meeting: Vec3) -> bool {
     max(abs(meeting.x), abs(meeting.y)) <= 1.0 && meeting.z > 1e-6
 }

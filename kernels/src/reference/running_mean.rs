@@ -40,7 +40,8 @@ pub struct RunningMean {
     budget(
         mean = 6e-7 * (abs(running.mean) + abs(value) / (running.count as f32 + 1.0)) + 1e-37,
         squares = 1.5e-6 * result.squares + 1e-36
-    )
+    ),
+    measured
 )]
 pub fn running_mean_add(running: RunningMean, value: f32) -> RunningMean {
     let before = running.count as f32;
@@ -66,7 +67,8 @@ pub fn running_mean_add(running: RunningMean, value: f32) -> RunningMean {
 #[kernel(
     family = "reference",
     cite = "[Chan83] eq. 2.1",
-    budget(mean = 1e-6 * (abs(a.mean) + abs(b.mean)) + 1e-37, squares = 2e-6 * result.squares + 1e-30)
+    budget(mean = 1e-6 * (abs(a.mean) + abs(b.mean)) + 1e-37, squares = 2e-6 * result.squares + 1e-30),
+    measured
 )]
 pub fn running_mean_merge(a: RunningMean, b: RunningMean) -> RunningMean {
     let difference = b.mean - a.mean;
@@ -88,7 +90,7 @@ pub fn running_mean_merge(a: RunningMean, b: RunningMean) -> RunningMean {
 /// | `running` | of the stream | count below 2^24 | any |
 ///
 /// Returns the standard error, at least 0; for fewer than two numbers, which have none, the root of `squares`, 0.
-#[kernel(family = "reference", cite = "[Welford62]", budget(3e-6 * result + 3e-19))]
+#[kernel(family = "reference", cite = "[Welford62]", budget(3e-6 * result + 3e-19), measured)]
 pub fn running_mean_standard_error(running: RunningMean) -> f32 {
     let count = running.count as f32;
     sqrt(running.squares / max(count, 1.0) / max(count - 1.0, 1.0))
@@ -104,7 +106,7 @@ pub fn running_mean_standard_error(running: RunningMean) -> f32 {
 /// | `colour` | linear RGB of the primaries of sRGB | 0 ..= 1e4 | any |
 ///
 /// Returns the luminance, in the colour's unit.
-#[kernel(family = "reference", cite = "[Pharr23] section 4.6", domain(colour = 0.0..=1e4), budget(6e-7 * result + 1e-37))]
+#[kernel(family = "reference", cite = "[Pharr23] section 4.6", domain(colour = 0.0..=1e4), budget(6e-7 * result + 1e-37), measured)]
 pub fn luminance(colour: Vec3) -> f32 {
     dot(colour, Vec3::new(0.2126, 0.7152, 0.0722))
 }

@@ -45,7 +45,8 @@ pub struct Cone {
         solid_angle = 4e-6 * result.solid_angle + 1e-19,
         sharpness = 4e-6 * result.sharpness,
         density = 4e-6 * result.density
-    )
+    ),
+    measured
 )]
 pub fn vsl_cone(dist: f32, radius: f32) -> Cone {
     let area = radius * radius;
@@ -72,7 +73,8 @@ pub fn vsl_cone(dist: f32, radius: f32) -> Cone {
         density = 4e-6 * result.density
     ),
     variant_of = vsl_cone,
-    not_robust = "1 - cos cancels for narrow cones"
+    not_robust = "1 - cos cancels for narrow cones",
+    measured
 )]
 pub fn vsl_cone_paper(dist: f32, radius: f32) -> Cone {
     let solid_angle = TWO_PI * (1.0 - dist / sqrt(dist * dist + radius * radius));
@@ -100,7 +102,8 @@ pub fn vsl_cone_paper(dist: f32, radius: f32) -> Cone {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.1",
     domain(dir = unit, dist = 0.0..=1e4, radius = 0.0..=1e4),
-    budget(axis = 0.0, sharpness = 4e-6 * result.sharpness, log_amplitude = 1e-7)
+    budget(axis = 0.0, sharpness = 4e-6 * result.sharpness, log_amplitude = 1e-7),
+    measured
 )]
 pub fn vsl_window(dir: Vec3, dist: f32, radius: f32) -> Sg {
     Sg { axis: dir, sharpness: min(vsl_cone(dist, radius).sharpness, 2147483648.0), log_amplitude: LN_2 }

@@ -42,7 +42,8 @@ pub struct Vsgl {
     family = "vsgl",
     cite = "[Tokuyoshi15b] section 2.1",
     domain(weight = 0.0..=1e6, sharpness = 0.0..=1e6),
-    budget(3e-6 * result + 1e-32)
+    budget(3e-6 * result + 1e-32),
+    measured
 )]
 pub fn vsgl_intensity(weight: f32, sharpness: f32) -> f32 {
     weight / max(sg_integral(sharpness), 1e-30)
@@ -72,7 +73,8 @@ pub fn vsgl_intensity(weight: f32, sharpness: f32) -> f32 {
         axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
         sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
         intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
-    )
+    ),
+    measured
 )]
 pub fn vsgl_from_moments(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
     let lobe = moments_to_lobe(lobes, reference);
@@ -106,7 +108,8 @@ pub fn vsgl_from_moments(positions: Moments, origin: Vec3, lobes: Moments, refer
         sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
         intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
     ),
-    variant_of = vsgl_from_moments
+    variant_of = vsgl_from_moments,
+    measured
 )]
 pub fn vsgl_from_moments_paper(positions: Moments, origin: Vec3, lobes: Moments, reference: Vec3) -> Vsgl {
     Vsgl { variance: positions.spread, ..vsgl_from_moments(positions, origin, lobes, reference) }

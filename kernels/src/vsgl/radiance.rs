@@ -44,7 +44,8 @@ pub struct VsglLight {
     family = "vsgl",
     cite = "[Tokuyoshi15b] eq. 6",
     domain(mean = -1e4..=1e4, variance = 0.0..=1e4, position = -1e4..=1e4),
-    budget(2e-6 * result + 1e-11)
+    budget(2e-6 * result + 1e-11),
+    measured
 )]
 pub fn vsgl_extent_sharpness(mean: Vec3, variance: f32, position: Vec3) -> f32 {
     let d2 = vsgl_distance2(mean, position);
@@ -65,7 +66,8 @@ pub fn vsgl_extent_sharpness(mean: Vec3, variance: f32, position: Vec3) -> f32 {
     family = "vsgl",
     cite = "definition",
     domain(mean = -1e4..=1e4, position = -1e4..=1e4),
-    budget(1e-6 * result + 1e-36)
+    budget(1e-6 * result + 1e-36),
+    measured
 )]
 pub fn vsgl_distance2(mean: Vec3, position: Vec3) -> f32 {
     let apart = mean - position;
@@ -86,7 +88,8 @@ pub fn vsgl_distance2(mean: Vec3, position: Vec3) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15b] eq. 6",
     domain(variance = 0.0..=1e4, d2 = 0.0..=1e9),
-    budget(2e-7 * result)
+    budget(2e-7 * result),
+    measured
 )]
 pub fn vsgl_variance(variance: f32, d2: f32) -> f32 {
     max(variance, max(1e-30 * d2, 1e-26))
@@ -111,7 +114,8 @@ pub fn vsgl_variance(variance: f32, d2: f32) -> f32 {
         axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
         sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_amplitude = vsgl_shift_budget(light, position, result.log_amplitude)
-    )
+    ),
+    measured
 )]
 pub fn vsgl_region(light: Vsgl, position: Vec3) -> Sg {
     let d2 = vsgl_distance2(light.mean, position);
@@ -148,7 +152,8 @@ pub fn vsgl_region(light: Vsgl, position: Vec3) -> Sg {
         axis = 4e-6 + 1e-5 * vsgl_larger(light, position) / max(result.sharpness, 1e-6 * vsgl_larger(light, position)),
         sharpness = 8e-6 * vsgl_larger(light, position) + 1e-11,
         log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
-    )
+    ),
+    measured
 )]
 pub fn vsgl_incoming(light: Vsgl, position: Vec3) -> Sg {
     let variance = vsgl_variance(light.variance, vsgl_distance2(light.mean, position));
@@ -174,7 +179,8 @@ pub fn vsgl_incoming(light: Vsgl, position: Vec3) -> Sg {
         log_amplitude = 3e-6 + 5e-7 * abs(result.log_amplitude) + vsgl_shift_budget(light, position, vsgl_region(light, position).log_amplitude)
     ),
     variant_of = vsgl_incoming,
-    not_robust = "the exponent is a difference of large numbers, and a light without extent divides by 0"
+    not_robust = "the exponent is a difference of large numbers, and a light without extent divides by 0",
+    measured
 )]
 pub fn vsgl_incoming_paper(light: Vsgl, position: Vec3) -> Sg {
     let apart = light.mean - position;
@@ -211,7 +217,8 @@ pub fn vsgl_incoming_paper(light: Vsgl, position: Vec3) -> Sg {
         log_shift = vsgl_shift_budget(light, position, result.log_shift),
         density = (3e-6 + 7e-6 * vsgl_larger(light, position) / (1.0 + result.sharpness)) * result.density
             + 1e-37 / vsgl_variance(light.variance, vsgl_distance2(light.mean, position)) + 1e-37
-    )
+    ),
+    measured
 )]
 pub fn vsgl_light(light: Vsgl, position: Vec3) -> VsglLight {
     let variance = vsgl_variance(light.variance, vsgl_distance2(light.mean, position));

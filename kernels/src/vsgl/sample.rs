@@ -21,7 +21,7 @@ use lobe_codegen::prelude::*;
 ///
 /// [`planar_variance`]: crate::filter::planar_variance
 /// [`Moments`]: crate::filter::Moments
-#[kernel(family = "vsgl", cite = "[Tokuyoshi15] section 3.2", domain(trace = 0.0..=1e8), budget(2e-6 * result + 1e-18))]
+#[kernel(family = "vsgl", cite = "[Tokuyoshi15] section 3.2", domain(trace = 0.0..=1e8), budget(2e-6 * result + 1e-18), measured)]
 pub fn vsl_radius(trace: f32) -> f32 {
     sqrt(2.0 * max(trace, 0.0))
 }
@@ -48,7 +48,8 @@ pub fn vsl_radius(trace: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.2",
     domain(h_max = 0.0..=14.0, count = 1.0..=65536.0, smoothing = 0.1..=100.0, pdf = 0.0..=1e6),
-    budget(1e-6 + 1e-6 * h_max)
+    budget(1e-6 + 1e-6 * h_max),
+    measured
 )]
 pub fn vsl_mip_level(h_max: f32, count: f32, smoothing: f32, pdf: f32) -> f32 {
     let samples = max(count * (pdf / smoothing), 1e-20);
@@ -72,7 +73,8 @@ pub fn vsl_mip_level(h_max: f32, count: f32, smoothing: f32, pdf: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3",
     domain(estimate = 0.0..=1e6, average = 1e-6..=1e6, floor_share = 1e-3..=1.0),
-    budget(1e-6 * result)
+    budget(1e-6 * result),
+    measured
 )]
 pub fn brsm_pdf(estimate: f32, average: f32, floor_share: f32) -> f32 {
     (1.0 - floor_share) * (estimate / max(average, 1e-30)) + floor_share
@@ -94,7 +96,8 @@ pub fn brsm_pdf(estimate: f32, average: f32, floor_share: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.2",
     domain(directional = 0.0..=1e6, solid_angle = 1e-9..=1.0, texels = 1.0..=1e8),
-    budget(3e-7 * result + 1e-28)
+    budget(3e-7 * result + 1e-28),
+    measured
 )]
 pub fn brsm_texel_pdf(directional: f32, solid_angle: f32, texels: f32) -> f32 {
     directional * (solid_angle * texels)
@@ -115,7 +118,8 @@ pub fn brsm_texel_pdf(directional: f32, solid_angle: f32, texels: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3",
     domain(pdf = 1e-3..=1e6, count = 1.0..=65536.0),
-    budget(6e-7 * result)
+    budget(6e-7 * result),
+    measured
 )]
 pub fn brsm_weight(pdf: f32, count: f32) -> f32 {
     1.0 / max(count * pdf, 1e-30)

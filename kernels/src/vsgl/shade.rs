@@ -35,7 +35,8 @@ use lobe_codegen::prelude::*;
     family = "vsgl",
     cite = "[Tokuyoshi15b] section 3.2",
     domain(position = -1e4..=1e4, normal = unit, albedo = 0.0..=1.0),
-    budget((6.0 * albedo + 1e-32) * vsgl_budget(light, position, 1.0) + 1e-11)
+    budget((6.0 * albedo + 1e-32) * vsgl_budget(light, position, 1.0) + 1e-11),
+    measured
 )]
 pub fn vsgl_diffuse(light: Vsgl, position: Vec3, normal: Vec3, albedo: f32) -> f32 {
     let incoming = vsgl_light(light, position);
@@ -63,7 +64,8 @@ pub fn vsgl_diffuse(light: Vsgl, position: Vec3, normal: Vec3, albedo: f32) -> f
     cite = "[Tokuyoshi15b] section 3.2",
     domain(position = -1e4..=1e4, normal = unit, albedo = 0.0..=1.0),
     budget((2.0 * albedo + 1e-32) * vsgl_budget(light, position, 1.0) + 1e-11),
-    variant_of = vsgl_diffuse
+    variant_of = vsgl_diffuse,
+    measured
 )]
 pub fn vsgl_diffuse_paper(light: Vsgl, position: Vec3, normal: Vec3, albedo: f32) -> f32 {
     let incoming = vsgl_light(light, position);

@@ -47,7 +47,8 @@ use lobe_codegen::prelude::*;
             * (1.0 + vsgl_region(light, position).sharpness)
             * asg_sg_peak(0.25 / (alpha * alpha * max(dot(normal, view) * dot(normal, view), 1e-6)), 0.25 / (alpha * alpha), 0.5 * vsgl_region(light, position).sharpness)
             + 1e-11
-    )
+    ),
+    measured
 )]
 pub fn vsgl_specular(light: Vsgl, position: Vec3, normal: Vec3, view: Vec3, alpha: f32, factor: f32) -> f32 {
     let incoming = vsgl_light(light, position);
@@ -90,7 +91,8 @@ pub fn vsgl_specular(light: Vsgl, position: Vec3, normal: Vec3, view: Vec3, alph
     budget(
         2e-6 + 8e-6 * max(max(incoming.sharpness, lobe.sharpness), 1e-30)
             / max(sg_product(incoming, lobe).sharpness, 1e-6 * max(max(incoming.sharpness, lobe.sharpness), 1e-30))
-    )
+    ),
+    measured
 )]
 pub fn vsgl_specular_axis(incoming: Sg, lobe: Sg) -> Vec3 {
     let product = sg_product(incoming, lobe);

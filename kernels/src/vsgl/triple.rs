@@ -26,7 +26,8 @@ use lobe_codegen::prelude::*;
     family = "vsgl",
     cite = "[Xu13] section 3",
     domain(lambda = 0.0..=1e6, mu = 0.0..=1e6, nu = 0.0..=1e6, components = -1.0..=1.0, log_amplitude = -10.0..=10.0),
-    budget((3e-6 + 4e-7 * abs(log_amplitude)) * exp(log_amplitude))
+    budget((3e-6 + 4e-7 * abs(log_amplitude)) * exp(log_amplitude)),
+    measured
 )]
 pub fn asg_convolved_at(lambda: f32, mu: f32, nu: f32, components: Vec3, log_amplitude: f32) -> f32 {
     // lambda n/(lambda + n), without the product that may overflow.
@@ -63,7 +64,8 @@ pub fn asg_convolved_at(lambda: f32, mu: f32, nu: f32, components: Vec3, log_amp
     family = "vsgl",
     cite = "[Tokuyoshi15] eq. 3",
     domain(asg.lambda = 0.1..=1e6, asg.mu = 0.1..=1e6),
-    budget(asg_sg_sg_budget(asg, v, l) * asg_sg_peak(asg.lambda, asg.mu, 0.5 * sg_product(v, l).sharpness) + 1e-23)
+    budget(asg_sg_sg_budget(asg, v, l) * asg_sg_peak(asg.lambda, asg.mu, 0.5 * sg_product(v, l).sharpness) + 1e-23),
+    measured
 )]
 pub fn asg_sg_sg_product_integral(asg: Asg, v: Sg, l: Sg) -> f32 {
     let product = sg_product(v, l);
@@ -92,7 +94,8 @@ pub fn asg_sg_sg_product_integral(asg: Asg, v: Sg, l: Sg) -> f32 {
         2e-6 + (1e-6 * (v.sharpness * length(v.axis - asg.z) + l.sharpness * length(l.axis - asg.z))
             + 1e-6 * max(max(v.sharpness, l.sharpness), 1e-30))
             / max(sg_product(v, l).sharpness, 1e-6 * max(max(v.sharpness, l.sharpness), 1e-30))
-    )
+    ),
+    measured
 )]
 pub fn product_components(asg: Asg, v: Sg, l: Sg) -> Vec3 {
     let largest = max(max(v.sharpness, l.sharpness), 1e-30);
@@ -140,7 +143,8 @@ pub fn product_components(asg: Asg, v: Sg, l: Sg) -> Vec3 {
             * vsl_window(dir, dist, radius).sharpness
             * asg_sg_peak(asg.lambda, asg.mu, 0.5 * sg_product(vsl_window(dir, dist, radius), lobe).sharpness) / 3.0
             + 1e-23
-    )
+    ),
+    measured
 )]
 pub fn vsgl_pair_radiance(asg: Asg, lobe: Sg, dir: Vec3, dist: f32, radius: f32, cosines: f32) -> f32 {
     let window = vsl_window(dir, dist, radius);
@@ -177,7 +181,8 @@ pub fn vsgl_pair_radiance(asg: Asg, lobe: Sg, dir: Vec3, dist: f32, radius: f32,
         (3e-5 + 1.2e-5 * abs(sg_product(vsl_window(dir, dist, radius), lobe).log_amplitude - lobe.log_amplitude - LN_2) + 2e-6 * abs(lobe.log_amplitude)
             + 2e-5 * max(vsl_window(dir, dist, radius).sharpness, lobe.sharpness)
                 / (1.0 + sg_product(vsl_window(dir, dist, radius), lobe).sharpness)) * result + 1e-23
-    )
+    ),
+    measured
 )]
 pub fn vsgl_pair_radiance_diffuse(lobe: Sg, dir: Vec3, dist: f32, radius: f32, cosines: f32) -> f32 {
     let window = vsl_window(dir, dist, radius);

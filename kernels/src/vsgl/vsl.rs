@@ -24,7 +24,8 @@ use lobe_codegen::prelude::*;
         flux = 0.0..=1e6, receiver = 0.0..=1e6, emitter = 0.0..=1e6,
         cos_receiver = -1.0..=1.0, cos_emitter = -1.0..=1.0
     ),
-    budget(6e-7 * result + 1e-18)
+    budget(6e-7 * result + 1e-18),
+    measured
 )]
 pub fn vpl_transfer(flux: f32, receiver: f32, emitter: f32, cos_receiver: f32, cos_emitter: f32) -> f32 {
     flux * receiver * emitter * (max(cos_receiver, 0.0) * max(cos_emitter, 0.0))
@@ -45,7 +46,8 @@ pub fn vpl_transfer(flux: f32, receiver: f32, emitter: f32, cos_receiver: f32, c
     family = "vsgl",
     cite = "[Tokuyoshi15] eq. 1",
     domain(transfer = 0.0..=1e6, dist = 1e-3..=1e4),
-    budget(1e-6 * result + 1e-37 / (dist * dist) + 1e-37)
+    budget(1e-6 * result + 1e-37 / (dist * dist) + 1e-37),
+    measured
 )]
 pub fn vpl_radiance(transfer: f32, dist: f32) -> f32 {
     let d = max(dist, 1e-15);
@@ -69,7 +71,8 @@ pub fn vpl_radiance(transfer: f32, dist: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.3",
     domain(transfer = 0.0..=1e6, dist = 0.0..=1e4, radius = 0.0..=1e4),
-    budget(4e-6 * result + 1e-13)
+    budget(4e-6 * result + 1e-13),
+    measured
 )]
 pub fn vsl_radiance(transfer: f32, dist: f32, radius: f32) -> f32 {
     transfer * vsl_cone(dist, radius).density
@@ -91,7 +94,8 @@ pub fn vsl_radiance(transfer: f32, dist: f32, radius: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.3",
     domain(lambda = 0.0..=1e6, mu = 0.0..=1e6, sharpness = 0.0..=1e6),
-    budget(2e-7 * result + 1e-37)
+    budget(2e-7 * result + 1e-37),
+    measured
 )]
 pub fn vsgl_transfer_sharpness(lambda: f32, mu: f32, sharpness: f32) -> f32 {
     2.0 * max(lambda, mu) + sharpness
@@ -112,7 +116,8 @@ pub fn vsgl_transfer_sharpness(lambda: f32, mu: f32, sharpness: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.3",
     domain(sharpness = 0.0..=4e6, dist = 0.0..=1e4, radius = 0.0..=1e4),
-    budget(5e-6 * result + 1e-12)
+    budget(5e-6 * result + 1e-12),
+    measured
 )]
 pub fn vsgl_smoothness(sharpness: f32, dist: f32, radius: f32) -> f32 {
     sharpness * (vsl_cone(dist, radius).solid_angle / 12.566370614359172954)
@@ -136,7 +141,8 @@ pub fn vsgl_smoothness(sharpness: f32, dist: f32, radius: f32) -> f32 {
     family = "vsgl",
     cite = "[Tokuyoshi15] section 3.3",
     domain(smoothness = 0.0..=1e6, threshold = 1e-6..=1.0, pulled_out = 0.0..=1e6, lobes = 0.0..=1e6),
-    budget(1e-37)
+    budget(1e-37),
+    measured
 )]
 pub fn vsgl_reduce_bias(smoothness: f32, threshold: f32, pulled_out: f32, lobes: f32) -> f32 {
     select(lobes, pulled_out, smoothness < threshold)

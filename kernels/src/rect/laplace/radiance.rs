@@ -48,7 +48,8 @@ pub fn rect_laplace_scale(reflector: Reflector, receiver: GlossyReceiver) -> f32
     family = "rect",
     cite = "[Lobe] rect::laplace",
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
+    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics",
+    measured
 )]
 pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -69,7 +70,8 @@ pub fn rect_laplace(rectangle: Rectangle, reflector: Reflector, receiver: Glossy
     family = "rect",
     cite = "[Lobe] rect::laplace",
     budget(1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver) + 1e-30),
-    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics"
+    not_robust = "the interval of the spot that the Gauss-Newton step finds grows with every quantity it is made of; see the numerics",
+    measured
 )]
 pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -97,7 +99,8 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Glo
             * (1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver))
             + 2.0 * rect_laplace_fast_jump(rectangle, reflector, receiver) * result
             + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
@@ -121,7 +124,8 @@ pub fn rect_laplace_fast(rectangle: Rectangle, reflector: Reflector, receiver: G
             * (1e-3 * result + 1e-5 * rect_laplace_ceiling(rectangle, reflector, receiver))
             + 2.0 * rect_laplace_fast_jump_sg(rectangle, reflector, receiver) * result
             + 1e-30
-    )
+    ),
+    measured
 )]
 pub fn rect_laplace_fast_sg(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let bitangent = rect_laplace_bitangent(rectangle);
