@@ -293,8 +293,9 @@ fn receivers() -> Vec<GlossyReceiver> {
         let x = i as f32 / 96.0 - 0.5;
         GlossyReceiver {
             position: Vec3::new(x, 0.1, 1.0),
-            normal: Vec3::new(-0.6, 0.0, -0.8),
-            view: Vec3::new(0.0, 0.0, -1.0),
+            normal: Vec3::NEG_Z,
+            // The mirror direction of the way to the first rectangle's peak.
+            view: Vec3::new(-0.6, 0.0, -0.8),
             alpha: 0.4,
             reflectance: 0.5,
         }
