@@ -209,6 +209,25 @@ fn frames_are_made_orthonormal_and_a_free_sign_is_free() {
 }
 
 #[test]
+fn a_row_may_leave_out_what_it_has_no_value_for() {
+    let text = |member: &str| {
+        format!(
+            r#"{{"version": 1, "entries": [{{"fn": "f", "kind": "formula-f64", "kernel": "square",
+            "args": {{"x": "x"}}, "result": {{"": "{member}"}}, "rule": "match"}}]}}"#
+        )
+    };
+    let parsed = |member| Mapping::parse(&text(member)).unwrap_or_else(|e| panic!("{e}"));
+    let lines = [
+        r#"{"fn": "f", "args": {"x": 3}, "kind": "formula-f64", "value": {"all": 9, "some": 9}}"#,
+        r#"{"fn": "f", "args": {"x": 2}, "kind": "formula-f64", "value": {"all": 4}}"#,
+    ];
+    let cases =
+        |member| judged(&parsed(member), &lines).answers.iter().map(|(_, a)| a.cases).collect::<Vec<_>>();
+    assert_eq!((cases("all"), cases("some")), (vec![2, 2], vec![1, 1]));
+    assert_short(&judged(&parsed("none"), &lines), "no row has a value for `none`");
+}
+
+#[test]
 fn parts_of_the_result_are_passed_over_as_stated() {
     let skip = r#", "skip": [{"between": {"x": [2, 3]}, "parts": [""], "why": "a test"}]"#;
     let report = judged(&mapping("nearly_square", r#"{"x": "x"}"#, skip), &SQUARES);

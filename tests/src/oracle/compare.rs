@@ -117,9 +117,8 @@ impl<'a> Judged<'a> {
     ) -> Result<Vec<(usize, Sample)>, String> {
         let mut samples = Vec::new();
         for (part, member) in self.entry.result.iter().filter(|(part, _)| !self.is_skipped(row, part)) {
-            let path = member.path();
-            let value = feed::member(&row.value, path).ok_or_else(|| format!("the value has no `{path}`"))?;
-            if value.is_null() {
+            // A row may leave out what it has no value for, as where no light arrives.
+            if !states(row, member) {
                 continue;
             }
             let (wanted, df32) = wanted(row, member)?;
@@ -191,6 +190,11 @@ struct Bounds<'a> {
 struct RowBound {
     bound: Vec<f64>,
     is_driver: bool,
+}
+
+/// Whether the row has a value for `member`.
+pub(super) fn states(row: &Row, member: &Member) -> bool {
+    feed::member(&row.value, member.path()).is_some_and(|value| !value.is_null())
 }
 
 /// By which sign the found vector comes nearer to the wanted one.

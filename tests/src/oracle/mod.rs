@@ -115,6 +115,11 @@ fn judge_entry(
     if rows.is_empty() {
         return vec![failed(entry, "f64", "the table holds no row of this kind and variant".to_owned())];
     }
+    if let Some(member) = entry.result.values().find(|m| !rows.iter().any(|row| compare::states(row, m))) {
+        let named =
+            if member.path().is_empty() { String::new() } else { format!(" for `{}`", member.path()) };
+        return vec![failed(entry, "f64", format!("no row has a value{named}"))];
+    }
     let fed = match feed::feed(subject.program(), entry, &rows) {
         Ok(fed) => fed,
         Err(why) => return vec![failed(entry, "f64", why)],
