@@ -92,7 +92,8 @@ impl Counter<'_> {
                 Expression::Binary { op, .. } => cost += operator(*op, width(at)),
                 Expression::Math { fun, arg, .. } => cost += math(*fun, width(*arg)),
                 Expression::Select { .. } => cost.choice += width(at),
-                _ => {}
+                Expression::Relational { argument, .. } => cost.choice += width(*argument),
+                other => assert!(is_free(other), "{other:?} has no count"),
             }
         }
         self.calls(&function.body, &mut cost);
@@ -109,8 +110,25 @@ impl Counter<'_> {
                     self.calls(reject, cost);
                 }
                 Statement::Switch { cases, .. } => cases.iter().for_each(|c| self.calls(&c.body, cost)),
-                Statement::Loop { .. } => panic!("a loop has no count"),
-                _ => {}
+                Statement::Emit(_)
+                | Statement::Store { .. }
+                | Statement::Return { .. }
+                | Statement::Break
+                | Statement::Continue => {}
+                Statement::Loop { .. }
+                | Statement::Kill
+                | Statement::ControlBarrier(_)
+                | Statement::MemoryBarrier(_)
+                | Statement::ImageStore { .. }
+                | Statement::Atomic { .. }
+                | Statement::ImageAtomic { .. }
+                | Statement::WorkGroupUniformLoad { .. }
+                | Statement::RayQuery { .. }
+                | Statement::RayPipelineFunction(_)
+                | Statement::SubgroupBallot { .. }
+                | Statement::SubgroupGather { .. }
+                | Statement::SubgroupCollectiveOperation { .. }
+                | Statement::CooperativeStore { .. } => panic!("{statement:?} has no count"),
             }
         }
     }
@@ -130,8 +148,43 @@ fn operator(op: BinaryOperator, width: usize) -> Cost {
             Cost { add_mul: width, ..Cost::default() }
         }
         BinaryOperator::Divide | BinaryOperator::Modulo => Cost { div: width, ..Cost::default() },
-        _ => Cost { choice: width, ..Cost::default() },
+        BinaryOperator::Equal
+        | BinaryOperator::NotEqual
+        | BinaryOperator::Less
+        | BinaryOperator::LessEqual
+        | BinaryOperator::Greater
+        | BinaryOperator::GreaterEqual
+        | BinaryOperator::And
+        | BinaryOperator::ExclusiveOr
+        | BinaryOperator::InclusiveOr
+        | BinaryOperator::LogicalAnd
+        | BinaryOperator::LogicalOr
+        | BinaryOperator::ShiftLeft
+        | BinaryOperator::ShiftRight => Cost { choice: width, ..Cost::default() },
     }
+}
+
+/// What moves values, or names them.
+fn is_free(expression: &Expression) -> bool {
+    matches!(
+        expression,
+        Expression::Literal(_)
+            | Expression::Constant(_)
+            | Expression::Override(_)
+            | Expression::ZeroValue(_)
+            | Expression::Compose { .. }
+            | Expression::Access { .. }
+            | Expression::AccessIndex { .. }
+            | Expression::Splat { .. }
+            | Expression::Swizzle { .. }
+            | Expression::FunctionArgument(_)
+            | Expression::GlobalVariable(_)
+            | Expression::LocalVariable(_)
+            | Expression::Load { .. }
+            | Expression::Unary { .. }
+            | Expression::As { .. }
+            | Expression::CallResult(_)
+    )
 }
 
 fn math(function: MathFunction, width: usize) -> Cost {
