@@ -21,7 +21,7 @@ use lobe_codegen::prelude::*;
 /// |---|---|---|---|
 /// | `rectangle` | the rectangle | positions -100 ..= 100 | m |
 /// | `reflection` | what it makes of the light | | |
-/// | `receiver` | the shaded surface | positions -100 ..= 100 | m |
+/// | `receiver` | the shaded surface | positions -1e4 ..= 1e4 | m |
 /// | `radius` | of the sampling disk | 1e-3 ..= 100 | m |
 /// | `shade` | the shading | | |
 ///
@@ -63,7 +63,7 @@ pub fn rect_shade_error(
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `rectangle` | the rectangle | positions -100 ..= 100, half sides 1e-3 ..= 100 | m |
-/// | `position` | of the element | -100 ..= 100 | m |
+/// | `position` | of the element | -1e4 ..= 1e4 | m |
 /// | `normal` | unit normal of the element | sphere | 1 |
 ///
 /// Returns the error of the form factor.

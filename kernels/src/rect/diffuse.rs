@@ -97,7 +97,7 @@ pub fn polygon_edge(start: Vec3, edge: Vec3, normal: Vec3) -> f32 {
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
 /// | `rectangle` | the rectangle, a matt one | positions -100 ..= 100, half sides 1e-3 ..= 100 | m |
-/// | `position` | of the element | -100 ..= 100 | m |
+/// | `position` | of the element | -1e4 ..= 1e4 | m |
 /// | `normal` | unit normal of the element | sphere | 1 |
 ///
 /// Returns the form factor, in 0 ..= 1; 0 behind the rectangle.
@@ -109,7 +109,7 @@ pub fn polygon_edge(start: Vec3, edge: Vec3, normal: Vec3) -> f32 {
 #[kernel(
     family = "rect",
     cite = "[Lambert1760]",
-    domain(position = -100.0..=100.0, normal = unit),
+    domain(position = -1e4..=1e4, normal = unit),
     budget(min(rect_form_factor_error(rectangle, position, normal), 1.0)),
     measured
 )]

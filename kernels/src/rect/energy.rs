@@ -1,6 +1,6 @@
 //! Radiance at the specular peak, and the energy that the sampling disk sends to a position.
 
-use crate::constants::HALF_PI;
+use crate::constants::PI;
 use crate::rect::attenuation::rect_attenuation;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;
@@ -29,7 +29,7 @@ use lobe_codegen::prelude::*;
     measured
 )]
 pub fn rect_radiance(cos_sigma: f32, alpha: f32, reflectance: f32, irradiance: f32) -> f32 {
-    reflectance * irradiance * cos_sigma / (2.0 * HALF_PI * max(alpha * alpha, 1e-12))
+    reflectance * irradiance * cos_sigma / (PI * max(alpha * alpha, 1e-12))
 }
 
 /// Radiance that the specular peak reflects, as printed.
@@ -119,7 +119,7 @@ pub fn rect_aperture_paper(ratio: f32, cos_sigma: f32) -> f32 {
 pub fn rect_energy(coverage: f32, radiance: f32, attenuation: f32, aperture: f32) -> f32 {
     // The limits bind nobody; they hold for a driver that may not know on which side of 1 the exponent is.
     let mean = clamp(expm1_over_x(-attenuation * aperture), 0.0, 1.5);
-    2.0 * HALF_PI * coverage * aperture * mean * radiance
+    PI * coverage * aperture * mean * radiance
 }
 
 /// Energy that the disk sends to a position, as printed.
@@ -136,7 +136,7 @@ pub fn rect_energy(coverage: f32, radiance: f32, attenuation: f32, aperture: f32
     measured
 )]
 pub fn rect_energy_paper(coverage: f32, radiance: f32, attenuation: f32, aperture: f32) -> f32 {
-    coverage * (2.0 * HALF_PI / attenuation) * (1.0 - exp(-attenuation * aperture)) * radiance
+    coverage * (PI / attenuation) * (1.0 - exp(-attenuation * aperture)) * radiance
 }
 
 /// Energy that a disk sends to a position, out of its size and slant.

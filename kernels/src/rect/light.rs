@@ -167,8 +167,8 @@ pub fn rect_disk_frame(axis: Vec3, normal: Vec3, tangent: Vec3) -> Mat3 {
 ///
 /// | argument | meaning | domain | unit |
 /// |---|---|---|---|
-/// | `peak` | middle of the disk | -100 ..= 100 | m |
-/// | `position` | the shaded position | -100 ..= 100 | m |
+/// | `peak` | middle of the disk | -1e4 ..= 1e4 | m |
+/// | `position` | the shaded position | -1e4 ..= 1e4 | m |
 /// | `normal` | unit normal of the disk | sphere | 1 |
 /// | `tangent` | unit vector, the axis `x` for a disk that is seen from above | sphere | 1 |
 /// | `energy` | what the disk sends, `C` | 0 ..= 1e6 | W m⁻² |
@@ -180,7 +180,7 @@ pub fn rect_disk_frame(axis: Vec3, normal: Vec3, tangent: Vec3) -> Mat3 {
     family = "rect",
     cite = "[RectGlossy] eq. 28, 29, 32, 35",
     domain(
-        peak = -100.0..=100.0, position = -100.0..=100.0, normal = unit, tangent = unit, energy = 0.0..=1e6,
+        peak = -1e4..=1e4, position = -1e4..=1e4, normal = unit, tangent = unit, energy = 0.0..=1e6,
         radius = 1e-3..=100.0
     ),
     budget(
@@ -218,7 +218,7 @@ pub fn rect_asg_from_disk(
     family = "rect",
     cite = "[RectGlossy] eq. 28, 29, 32, 35",
     domain(
-        peak = -100.0..=100.0, position = -100.0..=100.0, normal = unit, tangent = unit, energy = 0.0..=1e6,
+        peak = -1e4..=1e4, position = -1e4..=1e4, normal = unit, tangent = unit, energy = 0.0..=1e6,
         radius = 1e-3..=100.0
     ),
     budget(

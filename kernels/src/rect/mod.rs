@@ -3,7 +3,7 @@
 //! Two methods, and a matt surface's share:
 //!
 //! - [`laplace`] is our own closed form: the integrand at one spot times an effective area. Against a
-//!   numerical integral it is off by a factor of 1.06, where the other method, corrected, is off by about 2.
+//!   numerical integral it is off by a factor of 1.06, where the other method, corrected, is off by 2.1.
 //!   Prefer it for glossy surfaces.
 //! - The method of [RectGlossy] puts a disk about the specular peak in place of the rectangle, and a lobe in
 //!   place of the disk. Prefer it where the lobe itself is wanted: it can be stored, and multiplied with any

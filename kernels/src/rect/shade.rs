@@ -41,7 +41,7 @@ pub struct ShadeForm {
 #[kernel]
 pub struct RectShade {
     /// Height of the position over the rectangle's plane, in m.
-    #[domain(-200.0..=200.0)]
+    #[domain(-2e4..=2e4)]
     pub height: f32,
     /// The specular peak.
     #[domain(-1e4..=1e4)]
@@ -97,7 +97,7 @@ pub struct RectShade {
 /// |---|---|---|---|
 /// | `rectangle` | the rectangle | positions -100 ..= 100, half sides 1e-3 ..= 100 | m |
 /// | `reflection` | what it makes of the light: [`rect_reflection`] | | |
-/// | `receiver` | the shaded surface | positions -100 ..= 100 | m |
+/// | `receiver` | the shaded surface | positions -1e4 ..= 1e4 | m |
 /// | `radius` | of the sampling disk: [`crate::rect::disk::rect_disk_radius`] | 1e-3 ..= 100 | m |
 ///
 /// Returns the steps and the reflected radiance. It is 0 for a light or a position below the rectangle and for a
@@ -138,7 +138,7 @@ pub fn rect_shade(
 /// |---|---|---|---|
 /// | `rectangle` | the rectangle | positions -100 ..= 100, half sides 1e-3 ..= 100 | m |
 /// | `reflection` | what it makes of the light | | |
-/// | `receiver` | the shaded surface | positions -100 ..= 100 | m |
+/// | `receiver` | the shaded surface | positions -1e4 ..= 1e4 | m |
 /// | `radius` | of the sampling disk | 1e-3 ..= 100 | m |
 /// | `form` | the limits: the disk's half extent, its share, the share of a sharpness | 4, 1, 0.5 | 1 |
 ///

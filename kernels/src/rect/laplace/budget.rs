@@ -1,11 +1,12 @@
 //! Scales that the budgets are stated in. No kernel computes with them.
 
+use crate::constants::TWO_PI;
 use crate::rect::laplace::frame::{
     Reflector, rect_laplace_bitangent, rect_laplace_is_dark, rect_laplace_receiver, rect_laplace_reflector,
 };
 use crate::rect::laplace::integral::{rect_laplace_point, rect_laplace_point_sg};
 use crate::rect::laplace::radiance::rect_laplace_scale;
-use crate::rect::laplace::search::{rect_laplace_lift, rect_laplace_start};
+use crate::rect::laplace::search::rect_laplace_start;
 use crate::rect::laplace::width::{rect_laplace_angles, rect_laplace_extent, rect_laplace_shown};
 use crate::rect::{GlossyReceiver, Rectangle};
 use lobe_codegen::prelude::*;
@@ -19,7 +20,7 @@ pub const PI_SQUARE: f32 = 9.8696044010893586188;
 #[kernel]
 pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
     let way = receiver.position - rectangle.position;
-    let solid_angle = min(4.0 * rectangle.half_x * rectangle.half_y / max(dot(way, way), 1e-9), 6.2831853);
+    let solid_angle = min(4.0 * rectangle.half_x * rectangle.half_y / max(dot(way, way), 1e-9), TWO_PI);
     let roughness = reflector.alpha * receiver.alpha;
     rect_laplace_scale(reflector, receiver) * solid_angle / (PI_SQUARE * (roughness * roughness))
 }
@@ -52,8 +53,7 @@ pub fn rect_laplace_fast_jump(rectangle: Rectangle, reflector: Reflector, receiv
     if rect_laplace_is_dark(reflector_in_frame, receiver_in_frame) {
         return 0.0;
     }
-    let start =
-        rect_laplace_lift(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame), 0.1);
+    let start = rect_laplace_start(reflector_in_frame, receiver_in_frame);
     let peak = rect_laplace_point(reflector_in_frame, receiver_in_frame, start);
     let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
@@ -77,8 +77,7 @@ pub fn rect_laplace_fast_jump_sg(
     if rect_laplace_is_dark(reflector_in_frame, receiver_in_frame) {
         return 0.0;
     }
-    let start =
-        rect_laplace_lift(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame), 0.1);
+    let start = rect_laplace_start(reflector_in_frame, receiver_in_frame);
     let peak = rect_laplace_point_sg(reflector_in_frame, receiver_in_frame, start);
     let extent = rect_laplace_extent(receiver_in_frame, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);

@@ -1,6 +1,6 @@
 //! The integrand around one spot of the rectangle.
 
-use crate::rect::laplace::frame::{Gloss, LaplaceReceiver};
+use crate::rect::laplace::frame::{Gloss, LaplaceReceiver, LaplaceReflector};
 use lobe_codegen::prelude::*;
 
 /// A spot of the rectangle, as the pixel sees it.
@@ -43,6 +43,17 @@ pub struct LaplaceFall {
     pub value: f32,
     /// Minus the derivative of its logarithm by half the squared slope.
     pub weight: f32,
+}
+
+/// Both half vectors at a spot.
+#[kernel]
+pub struct LaplacePair {
+    /// Slope of the reflector's.
+    pub reflector: LaplaceSlope,
+    /// How the reflector's distribution falls off there.
+    pub reflector_fall: LaplaceFall,
+    /// Slope of the receiver's.
+    pub receiver: LaplaceSlope,
 }
 
 /// Minus the logarithm of the integrand around a spot, to second order.
@@ -126,23 +137,36 @@ pub fn rect_laplace_fall_sg(square: f32, gloss: Gloss) -> LaplaceFall {
     }
 }
 
+/// What both distributions depend on at a spot, and how the reflector's falls off there.
+#[kernel]
+pub fn rect_laplace_pair(
+    reflector: LaplaceReflector,
+    receiver: LaplaceReceiver,
+    spot: LaplaceSpot,
+) -> LaplacePair {
+    let slope = rect_laplace_reflector_slope(reflector.light, spot);
+    LaplacePair {
+        reflector: slope,
+        reflector_fall: rect_laplace_fall(slope.square, reflector.gloss),
+        receiver: rect_laplace_receiver_slope(receiver, spot),
+    }
+}
+
 /// The second-order form out of its three factors: both distributions and the pixel's cosine.
 #[kernel]
 pub fn rect_laplace_form(
     receiver: LaplaceReceiver,
     spot: LaplaceSpot,
-    reflector_slope: LaplaceSlope,
-    reflector_weight: f32,
-    receiver_slope: LaplaceSlope,
+    pair: LaplacePair,
     receiver_weight: f32,
 ) -> LaplaceForm {
-    let k = reflector_weight * reflector_slope.scale;
-    let l = receiver_weight * receiver_slope.scale;
+    let k = pair.reflector_fall.weight * pair.reflector.scale;
+    let l = receiver_weight * pair.receiver.scale;
     let horizon = receiver.facing.xy() / max(spot.cosine, 0.05);
     LaplaceForm {
-        gradient: k * reflector_slope.gradient + l * receiver_slope.gradient - horizon,
-        second: (k * reflector_slope.scale) * reflector_slope.products
-            + (l * receiver_slope.scale) * receiver_slope.products
+        gradient: k * pair.reflector.gradient + l * pair.receiver.gradient - horizon,
+        second: (k * pair.reflector.scale) * pair.reflector.products
+            + (l * pair.receiver.scale) * pair.receiver.products
             + Vec3::new(horizon.x * horizon.x, horizon.y * horizon.y, horizon.x * horizon.y),
     }
 }

@@ -1,9 +1,9 @@
 //! The geometric part of the interreflection, for each pixel, rectangle and light.
 
-use crate::constants::TWO_PI;
+use crate::constants::HALF_PI;
 use crate::rect::laplace::evaluate::{
-    LaplaceForm, LaplaceSpot, rect_laplace_fall, rect_laplace_fall_sg, rect_laplace_form,
-    rect_laplace_receiver_slope, rect_laplace_reflector_slope, rect_laplace_spot,
+    LaplaceForm, LaplaceSpot, rect_laplace_fall, rect_laplace_fall_sg, rect_laplace_form, rect_laplace_pair,
+    rect_laplace_spot,
 };
 use crate::rect::laplace::frame::{LaplaceReceiver, LaplaceReflector, rect_laplace_is_dark};
 use crate::rect::laplace::search::{rect_laplace_lift, rect_laplace_start, rect_laplace_step};
@@ -43,12 +43,18 @@ pub fn rect_laplace_result(
     quarter: f32,
 ) -> LaplaceIntegral {
     let spot = peak.spot;
-    // No area makes a projected solid angle above 2π.
-    let seen = min(max(spot.cosine, 0.0) * spot.down * (secant.x * secant.y * quarter), 0.25 * TWO_PI);
+    // No area, of which this is a quarter, makes a projected solid angle above 2π.
+    let seen = min(max(spot.cosine, 0.0) * spot.down * (secant.x * secant.y * quarter), HALF_PI);
     LaplaceIntegral {
         value: reflector.peak * peak.density * seen,
         dir: Vec3::new(spot.along.x, spot.along.y, -spot.down),
     }
+}
+
+/// What arrives where nothing can.
+#[kernel]
+pub fn rect_laplace_nothing() -> LaplaceIntegral {
+    LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) }
 }
 
 /// The integrand's form around a spot, for the search.
@@ -58,18 +64,9 @@ pub fn rect_laplace_local(
     receiver: LaplaceReceiver,
     spot: LaplaceSpot,
 ) -> LaplaceForm {
-    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
-    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall(receiver_slope.square, receiver.gloss);
-    rect_laplace_form(
-        receiver,
-        spot,
-        reflector_slope,
-        reflector_fall.weight,
-        receiver_slope,
-        receiver_fall.weight,
-    )
+    let pair = rect_laplace_pair(reflector, receiver, spot);
+    let fall = rect_laplace_fall(pair.receiver.square, receiver.gloss);
+    rect_laplace_form(receiver, spot, pair, fall.weight)
 }
 
 /// The integrand's form around a spot, for the search, the receiver's distribution being a spherical Gaussian.
@@ -79,41 +76,23 @@ pub fn rect_laplace_local_sg(
     receiver: LaplaceReceiver,
     spot: LaplaceSpot,
 ) -> LaplaceForm {
-    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
-    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall_sg(receiver_slope.square, receiver.gloss);
-    rect_laplace_form(
-        receiver,
-        spot,
-        reflector_slope,
-        reflector_fall.weight,
-        receiver_slope,
-        receiver_fall.weight,
-    )
+    let pair = rect_laplace_pair(reflector, receiver, spot);
+    let fall = rect_laplace_fall_sg(pair.receiver.square, receiver.gloss);
+    rect_laplace_form(receiver, spot, pair, fall.weight)
 }
 
 /// Everything at a spot.
 #[kernel]
 pub fn rect_laplace_point(reflector: LaplaceReflector, receiver: LaplaceReceiver, at: Vec2) -> LaplacePoint {
     let spot = rect_laplace_spot(receiver, at);
-    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
-    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall(receiver_slope.square, receiver.gloss);
-    let falls = (1.0 + reflector_fall.value) * (1.0 + receiver_fall.value);
+    let pair = rect_laplace_pair(reflector, receiver, spot);
+    let fall = rect_laplace_fall(pair.receiver.square, receiver.gloss);
+    let roots = (1.0 + pair.reflector_fall.value) * (1.0 + fall.value);
     LaplacePoint {
         spot,
-        local: rect_laplace_form(
-            receiver,
-            spot,
-            reflector_slope,
-            reflector_fall.weight,
-            receiver_slope,
-            receiver_fall.weight,
-        ),
-        density: receiver.gloss.square * (falls * falls),
-        own: (2.0 * spot.down) * reflector_slope.scale * reflector_fall.value,
+        local: rect_laplace_form(receiver, spot, pair, fall.weight),
+        density: receiver.gloss.square * (roots * roots),
+        own: (2.0 * spot.down) * pair.reflector.scale * pair.reflector_fall.value,
     }
 }
 
@@ -125,23 +104,14 @@ pub fn rect_laplace_point_sg(
     at: Vec2,
 ) -> LaplacePoint {
     let spot = rect_laplace_spot(receiver, at);
-    let reflector_slope = rect_laplace_reflector_slope(reflector.light, spot);
-    let receiver_slope = rect_laplace_receiver_slope(receiver, spot);
-    let reflector_fall = rect_laplace_fall(reflector_slope.square, reflector.gloss);
-    let receiver_fall = rect_laplace_fall_sg(receiver_slope.square, receiver.gloss);
-    let reflector_root = 1.0 + reflector_fall.value;
+    let pair = rect_laplace_pair(reflector, receiver, spot);
+    let fall = rect_laplace_fall_sg(pair.receiver.square, receiver.gloss);
+    let root = 1.0 + pair.reflector_fall.value;
     LaplacePoint {
         spot,
-        local: rect_laplace_form(
-            receiver,
-            spot,
-            reflector_slope,
-            reflector_fall.weight,
-            receiver_slope,
-            receiver_fall.weight,
-        ),
-        density: reflector_root * reflector_root * receiver_fall.value / receiver.gloss.square,
-        own: (2.0 * spot.down) * reflector_slope.scale * reflector_fall.value,
+        local: rect_laplace_form(receiver, spot, pair, fall.weight),
+        density: root * root * fall.value / receiver.gloss.square,
+        own: (2.0 * spot.down) * pair.reflector.scale * pair.reflector_fall.value,
     }
 }
 
@@ -167,12 +137,10 @@ pub fn rect_laplace_sharpening_sg(share: f32) -> Vec2 {
 /// pixel, rectangle and light.
 #[kernel]
 pub fn rect_laplace_integral(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
-    let is_dark = rect_laplace_is_dark(reflector, receiver);
-    if is_dark {
-        return LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) };
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
     }
-    let begin = rect_laplace_start(reflector, receiver);
-    let start = rect_laplace_lift(receiver, begin, 0.1);
+    let start = rect_laplace_start(reflector, receiver);
     let first = rect_laplace_spot(receiver, start);
     let local = rect_laplace_local(reflector, receiver, first);
     let moved = rect_laplace_step(receiver, first, local);
@@ -188,12 +156,10 @@ pub fn rect_laplace_integral(reflector: LaplaceReflector, receiver: LaplaceRecei
 /// The geometric part of [`rect_laplace_sg`](crate::rect::laplace::rect_laplace_sg).
 #[kernel]
 pub fn rect_laplace_integral_sg(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
-    let is_dark = rect_laplace_is_dark(reflector, receiver);
-    if is_dark {
-        return LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) };
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
     }
-    let begin = rect_laplace_start(reflector, receiver);
-    let start = rect_laplace_lift(receiver, begin, 0.1);
+    let start = rect_laplace_start(reflector, receiver);
     let first = rect_laplace_spot(receiver, start);
     let local = rect_laplace_local_sg(reflector, receiver, first);
     let moved = rect_laplace_step(receiver, first, local);
@@ -209,12 +175,10 @@ pub fn rect_laplace_integral_sg(reflector: LaplaceReflector, receiver: LaplaceRe
 /// The geometric part of [`rect_laplace_fast`](crate::rect::laplace::rect_laplace_fast).
 #[kernel]
 pub fn rect_laplace_fast_integral(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> LaplaceIntegral {
-    let is_dark = rect_laplace_is_dark(reflector, receiver);
-    if is_dark {
-        return LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) };
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
     }
-    let begin = rect_laplace_start(reflector, receiver);
-    let start = rect_laplace_lift(receiver, begin, 0.1);
+    let start = rect_laplace_start(reflector, receiver);
     let peak = rect_laplace_point(reflector, receiver, start);
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);
@@ -229,12 +193,10 @@ pub fn rect_laplace_fast_integral_sg(
     reflector: LaplaceReflector,
     receiver: LaplaceReceiver,
 ) -> LaplaceIntegral {
-    let is_dark = rect_laplace_is_dark(reflector, receiver);
-    if is_dark {
-        return LaplaceIntegral { value: 0.0, dir: Vec3::new(0.0, 0.0, -1.0) };
+    if rect_laplace_is_dark(reflector, receiver) {
+        return rect_laplace_nothing();
     }
-    let begin = rect_laplace_start(reflector, receiver);
-    let start = rect_laplace_lift(receiver, begin, 0.1);
+    let start = rect_laplace_start(reflector, receiver);
     let peak = rect_laplace_point_sg(reflector, receiver, start);
     let extent = rect_laplace_extent(receiver, peak.spot);
     let angles = rect_laplace_angles(peak.spot, peak.local, extent.secant, peak.own);

@@ -86,7 +86,7 @@ pub fn rect_laplace_sg(rectangle: Rectangle, reflector: Reflector, receiver: Glo
 /// Source: [Lobe], [`laplace`](crate::rect::laplace), without the Gauss-Newton step and with one order of integration.
 /// Arguments, domain and result as of [`rect_laplace`].
 ///
-/// Within a factor of 1.09 of the integral in the mean, far less accurate for grazing light and for a peak off the rectangle.
+/// Within a factor of 1.10 of the integral in the mean, far less accurate for grazing light and for a peak off the rectangle.
 ///
 /// Numerics: the result jumps by up to some percent where the order changes. The budget is, straight on, 1.2e-2 of the
 /// result and 1.2e-4 of [`rect_laplace_ceiling`]; the bound itself is 5e-5 of the result in the median, 6e-4 for nine in ten

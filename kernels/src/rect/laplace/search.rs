@@ -4,14 +4,16 @@ use crate::rect::laplace::evaluate::{LaplaceForm, LaplaceSpot};
 use crate::rect::laplace::frame::{LaplaceReceiver, LaplaceReflector};
 use lobe_codegen::prelude::*;
 
-/// Where the search begins: the sum of both mirror directions, weighted, met with the rectangle.
+/// Where the search begins: the sum of both mirror directions, weighted, met with the rectangle and lifted above the
+/// pixel's horizon.
 #[kernel]
 pub fn rect_laplace_start(reflector: LaplaceReflector, receiver: LaplaceReceiver) -> Vec2 {
     let weight = receiver.pull;
     let aim = weight * reflector.light.xy() + reflector.pull * receiver.mirror.xy();
     let depth = weight * reflector.light.z - reflector.pull * receiver.mirror.z;
     let scale = receiver.offset.z / max(depth, 0.05 * (weight + reflector.pull));
-    clamp(receiver.offset.xy() + scale * aim, -receiver.extent, receiver.extent)
+    let met = clamp(receiver.offset.xy() + scale * aim, -receiver.extent, receiver.extent);
+    rect_laplace_lift(receiver, met, 0.1)
 }
 
 /// Moves a spot that is below the pixel's horizon, or within `margin` of it, towards the highest corner.
