@@ -254,6 +254,35 @@ pub fn asg_sg_peak(lambda: f32, mu: f32, nu: f32) -> f32 {
     PI * (inverse_sqrt(max(lambda + nu, 1e-10)) * inverse_sqrt(max(mu + nu, 1e-10)))
 }
 
+/// An anisotropic lobe of amplitude 1, convolved with an isotropic one, out of the latter's components.
+///
+/// `max(p·z, 0) exp(a - lambda n/(lambda + n) (p·x)² - mu n/(mu + n) (p·y)²)`
+/// Source: [Xu13] section 3; the factor `π/√((lambda + n)(mu + n))` is [`asg_sg_peak`].
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `lambda`, `mu` | bandwidths | 0 ..= 1e6 | 1 |
+/// | `nu` | half the isotropic lobe's sharpness, `n` | 0 ..= 1e6 | 1 |
+/// | `components` | its axis in the frame of the anisotropic one, `(p·x, p·y, p·z)` | -1 ..= 1 | 1 |
+/// | `log_amplitude` | of the isotropic lobe, `a` | -10 ..= 10 | 1 |
+///
+/// Returns the value, in 0 ..= `exp(a)`.
+#[kernel(
+    family = "asg",
+    cite = "[Xu13] section 3",
+    domain(lambda = 0.0..=1e6, mu = 0.0..=1e6, nu = 0.0..=1e6, components = -1.0..=1.0, log_amplitude = -10.0..=10.0),
+    budget((3e-6 + 4e-7 * abs(log_amplitude)) * exp(log_amplitude)),
+    measured
+)]
+pub fn asg_convolved_at(lambda: f32, mu: f32, nu: f32, components: Vec3, log_amplitude: f32) -> f32 {
+    // lambda n/(lambda + n), without the product that may overflow.
+    let across = lambda * (nu / max(lambda + nu, 1e-10));
+    let along = mu * (nu / max(mu + nu, 1e-10));
+    let x2 = components.x * components.x;
+    let y2 = components.y * components.y;
+    max(components.z, 0.0) * exp(log_amplitude - across * x2 - along * y2)
+}
+
 /// Convolution of an anisotropic lobe with an isotropic one that falls as `exp(-2 n (1 - w·p))`.
 ///
 /// The formula of [`asg_sg_product_integral`] for any reading of `n`. Source: [Xu13] section 3.
@@ -276,15 +305,11 @@ pub fn asg_sg_peak(lambda: f32, mu: f32, nu: f32) -> f32 {
     measured
 )]
 pub fn asg_sg_convolved(asg: Asg, sg: Sg, nu: f32) -> f32 {
+    // Near the peak the difference is exact, as in asg_eval.
     let chord = sg.axis - asg.z;
-    let along_x = dot(chord, asg.x);
-    let along_y = dot(chord, asg.y);
-    // lambda n/(lambda + n), without the product that may overflow.
-    let lambda = asg.lambda * (nu / max(asg.lambda + nu, 1e-10));
-    let mu = asg.mu * (nu / max(asg.mu + nu, 1e-10));
-    let falloff = exp(sg.log_amplitude - lambda * (along_x * along_x) - mu * (along_y * along_y));
-    let smooth = max(dot(sg.axis, asg.z), 0.0);
-    asg.amplitude * (asg_sg_peak(asg.lambda, asg.mu, nu) * smooth) * falloff
+    let components = Vec3::new(dot(chord, asg.x), dot(chord, asg.y), dot(sg.axis, asg.z));
+    let value = asg_convolved_at(asg.lambda, asg.mu, nu, components, sg.log_amplitude);
+    asg.amplitude * (asg_sg_peak(asg.lambda, asg.mu, nu) * value)
 }
 
 /// The isotropic spherical Gaussian that stands for an anisotropic one and has its energy.

@@ -39,7 +39,7 @@ const WITHOUT_TABLE: &[(&str, &str)] = &[
     ("planar_variance", "part of vsgl_list"),
     ("vsl_cone_paper", "a variant; equal to vsl_cone in exact arithmetic, cancels in f64, too"),
     ("vsl_window", "vsl_cone, as a lobe; properties"),
-    ("asg_convolved_at", "part of asg_sg_sg_product_integral"),
+    ("asg_convolved_at", "part of asg_sg_product_integral"),
     ("product_components", "part of asg_sg_sg_product_integral"),
     ("vsgl_pair_radiance", "asg_sg_sg_product_integral over the cone; properties"),
     ("vsgl_pair_radiance_diffuse", "sg_sg_product_integral over the cone; properties"),

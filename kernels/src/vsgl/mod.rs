@@ -53,8 +53,7 @@ pub use sample::{brsm_pdf, brsm_texel_pdf, brsm_weight, vsl_mip_level, vsl_radiu
 pub use shade::{vsgl_diffuse, vsgl_diffuse_paper};
 pub use specular::{vsgl_specular, vsgl_specular_axis};
 pub use triple::{
-    asg_convolved_at, asg_sg_sg_product_integral, product_components, vsgl_pair_radiance,
-    vsgl_pair_radiance_diffuse,
+    asg_sg_sg_product_integral, product_components, vsgl_pair_radiance, vsgl_pair_radiance_diffuse,
 };
 pub use vsl::{
     vpl_radiance, vpl_transfer, vsgl_reduce_bias, vsgl_smoothness, vsgl_transfer_sharpness, vsl_radiance,
