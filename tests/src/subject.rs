@@ -65,7 +65,7 @@ impl Subject {
     pub fn permitted(&self, args: &Columns, shadow: &ShadowColumns) -> Result<Permitted, ExecError> {
         let (words, exact) = with_result(args, self.exact_args(args), shadow);
         let values = self.budgets.iter().map(|b| {
-            let value = b.program.shadow(&words, Some(&exact))?;
+            let value = b.program.exact(&words, Some(&exact))?;
             Ok(value.columns.into_iter().next().map(exact_of).unwrap_or_default())
         });
         let values: Vec<Vec<f64>> = values.collect::<Result<_, ExecError>>()?;

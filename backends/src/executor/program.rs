@@ -95,6 +95,26 @@ impl Program {
         outcome.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
     }
 
+    /// The exact values, with bounds that are wider than [`Program::shadow`]'s; see [`Interpreter::exact`].
+    ///
+    /// # Errors
+    /// When the arguments have another shape, or the interpreter gives up.
+    pub fn exact(&self, args: &Columns, exact: Option<&[Vec<f64>]>) -> Result<ShadowColumns, ExecError> {
+        self.check_shape(args)?;
+        let outcome = self.interpreter()?.exact(self.handle, args, exact);
+        outcome.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
+    }
+
+    /// Runs every row as a permitted driver would that errs by chance; see [`Interpreter::perturbed`].
+    ///
+    /// # Errors
+    /// When the arguments have another shape, or the interpreter gives up.
+    pub fn perturbed(&self, args: &Columns, seed: u64) -> Result<Columns, ExecError> {
+        self.check_shape(args)?;
+        let outcome = self.interpreter()?.perturbed(self.handle, args, seed);
+        outcome.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
+    }
+
     /// Whether `args` has a column for each scalar of the parameters.
     ///
     /// # Errors

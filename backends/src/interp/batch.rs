@@ -6,8 +6,8 @@ use super::layout::{Kind, Pointee, Types};
 use super::leaf::Leaf;
 use super::mask::Mask;
 use super::model::Model;
-use super::shadow::Shadow;
-use super::{LANES, ShadowColumn, ShadowColumns};
+use super::shadow::{Float, Shadow};
+use super::{ShadowColumn, ShadowColumns};
 use lobe_codegen::ValidModule;
 use lobe_codegen::data::Columns;
 use lobe_codegen::module::Scope;
@@ -68,9 +68,9 @@ impl<'a> Signature<'a> {
     }
 }
 
-/// The ranges of rows that are computed together.
-pub(super) fn chunks(rows: usize) -> Vec<Range<usize>> {
-    (0..rows).step_by(LANES).map(|start| start..rows.min(start + LANES)).collect()
+/// The ranges of rows that are computed together, `lanes` at a time.
+pub(super) fn chunks(rows: usize, lanes: usize) -> Vec<Range<usize>> {
+    (0..rows).step_by(lanes).map(|start| start..rows.min(start + lanes)).collect()
 }
 
 /// Some rows of a call.
@@ -109,21 +109,21 @@ impl Batch<'_, '_, Shadow> {
     pub(super) fn shadow(self, rows: Range<usize>) -> Res<ShadowColumns> {
         let count = rows.len();
         let (machine, result) = self.execute(rows)?;
-        let flags = machine.flags;
-        let columns: Vec<_> = result.iter().map(|leaf| column(leaf, &flags.lost)).collect();
+        let flags = &machine.flags;
+        let columns: Vec<_> = result.iter().map(|leaf| column(&machine.model, leaf, &flags.lost)).collect();
         let unbounded = |row: usize| columns.iter().any(|c| !holds(c, row));
         let indeterminate =
             (0..count).map(|row| flags.lost[row] || (flags.tainted[row] && unbounded(row))).collect();
-        Ok(ShadowColumns { rows: count, ambiguous: flags.ambiguous, indeterminate, columns })
+        Ok(ShadowColumns { rows: count, ambiguous: flags.ambiguous.clone(), indeterminate, columns })
     }
 }
 
-fn column(leaf: &Leaf<Shadow>, lost: &[bool]) -> ShadowColumn {
+fn column(shadow: &Shadow, leaf: &Leaf<Shadow>, lost: &[bool]) -> ShadowColumn {
     match leaf {
         Leaf::Float(lanes) => ShadowColumn::Float {
             value: lanes.iter().map(|a| a.value).collect(),
             exact: lanes.iter().map(|a| a.exact).collect(),
-            bound: lanes.iter().zip(lost).map(|(a, l)| if *l { f64::INFINITY } else { a.bound() }).collect(),
+            bound: bounds(shadow, lanes, lost),
         },
         Leaf::Word(lanes) => ShadowColumn::Word {
             value: lanes.iter().map(|a| a.value).collect(),
@@ -134,6 +134,10 @@ fn column(leaf: &Leaf<Shadow>, lost: &[bool]) -> ShadowColumn {
             known: lanes.iter().zip(lost).map(|(a, lost)| !a.ambiguous && !lost).collect(),
         },
     }
+}
+
+fn bounds(shadow: &Shadow, lanes: &[Float], lost: &[bool]) -> Vec<f64> {
+    lanes.iter().zip(lost).map(|(a, lost)| if *lost { f64::INFINITY } else { shadow.bound(*a) }).collect()
 }
 
 /// Whether something is promised.

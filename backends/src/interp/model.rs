@@ -104,6 +104,11 @@ macro_rules! operations {
                 a
             }
 
+            /// `a`, a result of a function: a model may look once more at what it knows of it.
+            fn settled(&self, a: Self::F) -> Self::F {
+                a
+            }
+
             /// `accept` if `condition` holds, otherwise `reject`.
             fn select_f(&self, condition: Self::B, accept: Self::F, reject: Self::F) -> Self::F {
                 let pick = Pick { value: self.decision(condition), exact: self.decision_exact(condition) };

@@ -45,7 +45,7 @@ fn real(kernel: FunctionRef, rows: &[Vec<f32>]) -> Result<Vec<f64>, DrawError> {
     let program = Program::new(kernel)?;
     let words: Vec<Vec<u32>> = rows.iter().map(|row| row.iter().map(|v| v.to_bits()).collect()).collect();
     let args = Columns::from_rows(program.params().len(), &words);
-    let shadow = program.shadow(&args, None)?;
+    let shadow = program.exact(&args, None)?;
     Ok(match shadow.columns.into_iter().next() {
         Some(ShadowColumn::Float { exact, .. }) => exact,
         Some(ShadowColumn::Word { .. }) | None => Vec::new(),

@@ -49,7 +49,15 @@ impl<'m, M: Model> Machine<'m, M> {
         {
             self.tell_truth(*truth, &frame.arguments, &mut result)?;
         }
-        Ok(result)
+        if M::SHADOW { self.settle(result) } else { Ok(result) }
+    }
+
+    fn settle(&self, result: Vec<Leaf<M>>) -> Res<Vec<Leaf<M>>> {
+        let settled = |leaf: Leaf<M>| match leaf {
+            Leaf::Float(_) => self.map_f(&leaf, |a| self.model.settled(a)),
+            Leaf::Word(_) | Leaf::Bool(_) => Ok(leaf),
+        };
+        result.into_iter().map(settled).collect()
     }
 
     fn enter(&mut self, scope: Scope, arguments: Vec<Value<M>>, active: Mask) -> Res<Frame<'m, M>> {

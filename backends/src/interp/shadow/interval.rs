@@ -4,7 +4,7 @@
 //! be; an end that f64 itself had to round is first moved outwards by one f64 step.
 
 use super::round::{down, ulp, up};
-use super::{Float, MIN_NORMAL};
+use super::{Float, MIN_NORMAL, Place};
 
 /// The sum of two ends and the direction in which the true one lies.
 fn sum(a: f64, b: f64) -> (f64, f64) {
@@ -27,7 +27,7 @@ pub(super) fn add(a: Float, b: Float) -> Float {
 }
 
 pub(super) fn neg(a: Float) -> Float {
-    Float { value: -a.value, exact: -a.exact, low: -a.high, high: -a.low }
+    Float { value: -a.value, exact: -a.exact, low: -a.high, high: -a.low, place: Place::NONE }
 }
 
 pub(super) fn sub(a: Float, b: Float) -> Float {
@@ -87,11 +87,4 @@ pub(super) fn div(a: Float, b: Float) -> Float {
     let quotients = extremes([a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high]);
     let (low, high) = ulp(2.5, quotients);
     Float::closed(value, exact, low, high)
-}
-
-/// `a - b * trunc(a / b)`
-pub(super) fn rem(a: Float, b: Float) -> Float {
-    let quotient = super::pieces::trunc(div(a, b));
-    let formula = sub(a, mul(b, quotient));
-    Float::closed(a.value % b.value, a.exact % b.exact, formula.low, formula.high)
 }

@@ -33,10 +33,24 @@ mod interval;
 mod model;
 mod pieces;
 mod round;
+mod slope;
+mod tape;
 
-/// The model; it has no state.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Shadow;
+use std::cell::RefCell;
+use tape::{Place, Slope, Tape};
+
+/// The model: what it remembers of a batch.
+#[derive(Debug, Default)]
+pub(super) struct Shadow {
+    tape: RefCell<Tape>,
+}
+
+impl Shadow {
+    /// A model that forgets: its bounds are those of the intervals.
+    pub(super) fn forgetful() -> Self {
+        Self { tape: RefCell::new(Tape::with_capacity(0)) }
+    }
+}
 
 /// A float; see the module's documentation.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +59,7 @@ pub(super) struct Float {
     pub(super) exact: f64,
     pub(super) low: f64,
     pub(super) high: f64,
+    place: Place,
 }
 
 /// An integer.
@@ -72,7 +87,7 @@ pub(super) struct Truth {
 impl Float {
     /// A number of which nothing is promised.
     pub(super) fn unbounded(value: f32, exact: f64) -> Self {
-        Self { value, exact, low: f64::NEG_INFINITY, high: f64::INFINITY }
+        Self { value, exact, low: f64::NEG_INFINITY, high: f64::INFINITY, place: Place::NONE }
     }
 
     /// Closes the interval under flushing and gives up what may overflow.
@@ -82,7 +97,7 @@ impl Float {
         let high = if high < 0.0 && high > -MIN_NORMAL { 0.0 } else { high };
         // Written so that NaN anywhere gives up, too.
         if low >= -MAX && high <= MAX && exact.abs() <= MAX {
-            Self { value, exact, low: low.min(exact), high: high.max(exact) }
+            Self { value, exact, low: low.min(exact), high: high.max(exact), place: Place::NONE }
         } else {
             Self::unbounded(value, exact)
         }
@@ -98,6 +113,17 @@ impl Float {
         self.low == self.high
     }
 
+    /// Whether a driver may have zero in place of this number.
+    fn may_flush(self) -> bool {
+        self.low < MIN_NORMAL && self.high > -MIN_NORMAL && !(self.low == 0.0 && self.high == 0.0)
+    }
+
+    /// Whether so little is known that another look may pay.
+    fn is_wide(self) -> bool {
+        const SHARE: f64 = 1.0 / (1 << 14) as f64;
+        self.bounded() && self.high - self.low > SHARE * self.high.abs().max(self.low.abs())
+    }
+
     /// Largest possible distance from the exact value; infinite when nothing is promised.
     pub(super) fn bound(self) -> f64 {
         if self.bounded() { (self.high - self.exact).max(self.exact - self.low) } else { f64::INFINITY }
@@ -106,3 +132,57 @@ impl Float {
 
 /// The smallest normal f32.
 const MIN_NORMAL: f64 = f32::MIN_POSITIVE as f64;
+
+impl Shadow {
+    /// Puts `result` of an operation on the tape, with its own error and what it owes to its operands.
+    fn link(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
+        let number = self.tape.borrow_mut().record(result, own, operands);
+        if number.is_wide() { self.tightened(number) } else { number }
+    }
+
+    /// The same for a product.
+    fn link_product(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
+        let product = self.link(result, own, operands);
+        self.tape.borrow_mut().mark_product(product);
+        product
+    }
+
+    /// The operands of a sum, or of a difference.
+    fn summands(&self, a: Float, b: Float, sign: Slope) -> [slope::Link; 2] {
+        let mut tape = self.tape.borrow_mut();
+        [(tape.summand(a), Slope::ONE), (tape.summand(b), sign)]
+    }
+
+    /// Puts a number on the tape whose error is known by its interval alone.
+    fn source(&self, result: Float) -> Float {
+        self.tape.borrow_mut().source(result)
+    }
+
+    /// The largest distance of a number from its exact value.
+    pub(super) fn bound(&self, a: Float) -> f64 {
+        a.bound().min(self.tape.borrow_mut().bound(a))
+    }
+
+    /// The same number, in the interval that the tape leaves it.
+    fn tightened(&self, a: Float) -> Float {
+        let bound = self.tape.borrow_mut().bound(a);
+        if !bound.is_finite() {
+            return a;
+        }
+        let hair = (a.exact.abs() + bound) * (2.0 * f64::EPSILON);
+        let (low, high) = (a.exact - bound - hair, a.exact + bound + hair);
+        Float { low: a.low.max(low), high: a.high.min(high), ..a }
+    }
+
+    /// A comparison that the intervals leave open may be closed by what the tape knows of the difference.
+    fn decided(&self, a: Float, b: Float, compare: fn(Float, Float) -> Truth) -> Truth {
+        let first = compare(a, b);
+        if !(first.ambiguous && a.bounded() && b.bounded()) {
+            return first;
+        }
+        let zero = Float::closed(0.0, 0.0, 0.0, 0.0);
+        let difference = interval::sub(a, b);
+        let known = self.tightened(self.link(difference, 0.0, [(a, Slope::ONE), (b, Slope::MINUS_ONE)]));
+        Truth { ambiguous: compare(known, zero).ambiguous, ..first }
+    }
+}

@@ -1,15 +1,24 @@
 //! The shadow lane as a [`Model`].
 
 use super::round::{down, up};
-use super::{Float, Shadow, Truth, Word, boolean, elementary, interval, pieces};
+use super::slope::{only, rounded, rounded_product, rounded_sum};
+use super::tape::Slope;
+use super::{Float, Shadow, Truth, Word, boolean, elementary, interval, pieces, slope};
 use crate::interp::model::{Model, Pick};
 use lobe_codegen::math::scalar;
 
+/// Operations that put their results on the tape themselves, or whose results are sources there.
 macro_rules! forward {
-    ($($module:ident: $($name:ident($($arg:ident)*)),*;)*) => {
-        $($(fn $name(&self, $($arg: Float),*) -> Float {
-            $module::$name($($arg),*)
-        })*)*
+    (
+        $($piece:ident($($a:ident)*)),* of pieces: source;
+        $($name:ident($($arg:ident)*)),* of elementary;
+    ) => {
+        $(fn $piece(&self, $($a: Float),*) -> Float {
+            self.source(pieces::$piece($($a),*))
+        })*
+        $(fn $name(&self, $($arg: Float),*) -> Float {
+            elementary::$name(self, $($arg),*)
+        })*
     };
 }
 
@@ -31,14 +40,14 @@ impl Model for Shadow {
     fn float(&self, value: f32, exact: f64) -> Float {
         let x = f64::from(value);
         if x.is_finite() {
-            Float::closed(value, exact, x.min(exact), x.max(exact))
+            self.source(Float::closed(value, exact, x.min(exact), x.max(exact)))
         } else {
             Float::unbounded(value, exact)
         }
     }
     /// A driver may have rounded a formula's constant either way.
     fn constant(&self, exact: f64) -> Float {
-        Float::closed(exact as f32, exact, down(exact), up(exact))
+        self.source(Float::closed(exact as f32, exact, down(exact), up(exact)))
     }
     fn value(&self, a: Float) -> f32 {
         a.value
@@ -48,7 +57,8 @@ impl Model for Shadow {
     }
     fn with_truth(&self, a: Float, truth: f64) -> Float {
         if a.bounded() {
-            Float::closed(a.value, truth, a.low, a.high)
+            let told = Float::closed(a.value, truth, a.low, a.high);
+            self.link(told, (truth - a.exact).abs(), only(a, Slope::ONE))
         } else {
             Float::unbounded(a.value, truth)
         }
@@ -56,7 +66,7 @@ impl Model for Shadow {
     fn join_f(&self, a: Float, b: Float, pick: Pick) -> Float {
         let value = if pick.value { a.value } else { b.value };
         let exact = if pick.exact { a.exact } else { b.exact };
-        Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high) }
+        self.source(Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high), ..a })
     }
 
     fn word(&self, value: u32) -> Word {
@@ -124,13 +134,16 @@ impl Model for Shadow {
         Truth { value: f(a.value, b.value), exact: f(a.exact, b.exact), ambiguous: !(a.known && b.known) }
     }
     fn less(&self, a: Float, b: Float) -> Truth {
-        boolean::less(a, b)
+        self.decided(a, b, boolean::less)
     }
     fn less_equal(&self, a: Float, b: Float) -> Truth {
-        boolean::less_equal(a, b)
+        self.decided(a, b, boolean::less_equal)
     }
     fn equal(&self, a: Float, b: Float) -> Truth {
-        boolean::equal(a, b)
+        self.decided(a, b, boolean::equal)
+    }
+    fn settled(&self, a: Float) -> Float {
+        if a.is_wide() { self.tightened(a) } else { a }
     }
     fn is_nan(&self, a: Float) -> Truth {
         Truth { value: a.value.is_nan(), exact: a.exact.is_nan(), ambiguous: !a.bounded() }
@@ -148,7 +161,7 @@ impl Model for Shadow {
         let number = |w: u32| if signed { f64::from(w as i32) } else { f64::from(w) };
         let (value, exact) = (number(a.value) as f32, number(a.exact));
         if a.known {
-            Float::closed(value, exact, down(exact), up(exact))
+            self.source(Float::closed(value, exact, down(exact), up(exact)))
         } else {
             Float::unbounded(value, exact)
         }
@@ -162,24 +175,65 @@ impl Model for Shadow {
         let (value, exact) = (f32::from_bits(a.value), f64::from(f32::from_bits(a.exact)));
         if a.known { self.float(value, exact) } else { Float::unbounded(value, exact) }
     }
-    fn square(&self, a: Float) -> Float {
-        interval::square(a)
-    }
     fn nonnegative(&self, a: Float) -> Float {
-        Float { exact: a.exact.max(0.0), low: if a.bounded() { a.low.max(0.0) } else { a.low }, ..a }
+        let cut =
+            Float { exact: a.exact.max(0.0), low: if a.bounded() { a.low.max(0.0) } else { a.low }, ..a };
+        self.link(cut, 0.0, only(a, if a.low >= 0.0 { Slope::ONE } else { Slope::PARTLY }))
+    }
+
+    fn add(&self, a: Float, b: Float) -> Float {
+        let sum = interval::add(a, b);
+        self.link(sum, rounded_sum(sum, [a, b]), self.summands(a, b, Slope::ONE))
+    }
+    fn sub(&self, a: Float, b: Float) -> Float {
+        let difference = interval::sub(a, b);
+        self.link(difference, rounded_sum(difference, [a, b]), self.summands(a, b, Slope::MINUS_ONE))
+    }
+    fn mul(&self, a: Float, b: Float) -> Float {
+        let product = interval::mul(a, b);
+        self.link_product(product, rounded_product(product, [a, b]), slope::mul(a, b))
+    }
+    fn square(&self, a: Float) -> Float {
+        let square = interval::square(a);
+        self.link_product(square, rounded(square, [a, a]), slope::square(a))
+    }
+    fn neg(&self, a: Float) -> Float {
+        self.tape.borrow_mut().negative(a, interval::neg(a))
+    }
+    fn abs(&self, a: Float) -> Float {
+        self.link(pieces::abs(a), 0.0, slope::abs(a))
+    }
+    fn min(&self, a: Float, b: Float) -> Float {
+        self.link(pieces::min(a, b), 0.0, slope::min(a, b))
+    }
+    fn max(&self, a: Float, b: Float) -> Float {
+        self.link(pieces::max(a, b), 0.0, slope::max(a, b))
+    }
+    /// `a - b * trunc(a / b)`
+    fn rem(&self, a: Float, b: Float) -> Float {
+        let formula = self.sub(a, self.mul(b, self.trunc(self.div(a, b))));
+        self.inherit(formula, a.value % b.value, a.exact % b.exact)
+    }
+    fn fma(&self, x: Float, y: Float, z: Float) -> Float {
+        Float { value: scalar::fma(x.value, y.value, z.value), ..self.add(self.mul(x, y), z) }
+    }
+    fn div(&self, a: Float, b: Float) -> Float {
+        let b = if b.low <= 0.0 && b.high >= 0.0 { self.tightened(b) } else { b };
+        let quotient = interval::div(a, b);
+        self.link(quotient, slope::divided(quotient, [a, b]), slope::div(a, b, quotient.exact))
+    }
+    fn fract(&self, a: Float) -> Float {
+        let part = pieces::fract(a);
+        if a.low.floor() == a.high.floor() {
+            self.link(part, rounded(part, [a, a]), only(a, Slope::ONE))
+        } else {
+            self.source(part)
+        }
     }
 
     forward! {
-        interval: add(a b), sub(a b), mul(a b), div(a b), rem(a b), neg(a);
-        pieces: abs(a), min(a b), max(a b), sign(a), ceil(a), floor(a), round(a), trunc(a), fract(a),
-            step(edge x);
-        elementary: sqrt(a), inverse_sqrt(a), exp(a), exp2(a), log(a), log2(a), pow(x y), sin(a), cos(a),
-            tan(x), asin(x), acos(x), atan(a), atan2(y x), sinh(x), cosh(x), tanh(x), asinh(x), acosh(x),
-            atanh(x);
-    }
-
-    fn fma(&self, x: Float, y: Float, z: Float) -> Float {
-        let sum = interval::add(interval::mul(x, y), z);
-        Float { value: scalar::fma(x.value, y.value, z.value), ..sum }
+        sign(a), ceil(a), floor(a), round(a), trunc(a), step(edge x) of pieces: source;
+        sqrt(a), inverse_sqrt(a), exp(a), exp2(a), log(a), log2(a), pow(x y), sin(a), cos(a), tan(x), asin(x),
+            acos(x), atan(a), atan2(y x), sinh(x), cosh(x), tanh(x), asinh(x), acosh(x), atanh(x) of elementary;
     }
 }

@@ -40,6 +40,11 @@ pub(super) fn ulp(n: f64, (low, high): (f64, f64)) -> (f64, f64) {
     (if low >= 0.0 { wide.0.max(0.0) } else { wide.0 }, if high <= 0.0 { wide.1.min(0.0) } else { wide.1 })
 }
 
+/// The most that `n` ULP are anywhere from `low` to `high`.
+pub(super) fn largest_ulp(n: f64, (low, high): (f64, f64)) -> f64 {
+    (n * ULP + HAIR) * low.abs().max(high.abs()) + n * TINY
+}
+
 /// Widens by an absolute error.
 pub(super) fn absolute(error: f64, (low, high): (f64, f64)) -> (f64, f64) {
     (below(low - error), above(high + error))

@@ -21,10 +21,12 @@ pub fn rect_laplace_start(reflector: LaplaceReflector, receiver: LaplaceReceiver
 pub fn rect_laplace_lift(receiver: LaplaceReceiver, at: Vec2, margin: f32) -> Vec2 {
     let offset = at - receiver.offset.xy();
     let reach = sqrt(dot(offset, offset) + receiver.height2);
+    let above = dot(receiver.facing.xy(), offset) - receiver.facing.z * receiver.offset.z;
     let way = receiver.corner - at;
+    // The corner is `above + rise` above the horizon. Never lift by more than half of the way.
     let rise = max(dot(receiver.facing.xy(), way), 1e-20);
-    let kept = max(receiver.top - margin * reach, 0.5 * receiver.top);
-    at + max(1.0 - kept / rise, 0.0) * way
+    let missing = min(margin * reach - above, 0.5 * (rise - above));
+    at + max(missing / rise, 0.0) * way
 }
 
 /// One Gauss-Newton step inside the rectangle: Newton in x, then y, x and y in turn at the others' value.

@@ -1,0 +1,246 @@
+//! What results owe to the errors made on the way to them.
+//!
+//! An interval forgets that two numbers share an error, so whatever cancels later (a Newton step, a sum of
+//! neighbours, a determinant) looks far worse than it is.
+//! The tape remembers: for each operation `z = f(x, y)`, with exact values marked 0,
+//!
+//! ```text
+//! z - z0 = (slope in x) (x - x0) + (slope in y) (y - y0) + own error
+//! ```
+//!
+//! where a slope is an interval of *difference quotients*: all that `(f(x, y) - f(x0, y)) / (x - x0)` can be
+//! while the operands stay in their intervals. This is an equation, not a first-order approximation; what is
+//! of second order sits in the widths of the slopes.
+//! Followed back from a result to everything that errs, in interval arithmetic, it says by how much the result
+//! can be off in all: the sum over the operations of (largest slope of the result in it) x (its own error).
+//! Slopes along different ways to the same operation add up before their largest value is taken, so
+//! what cancels cancels.
+
+use super::{Float, MIN_NORMAL};
+
+/// An interval of difference quotients.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Slope {
+    low: f64,
+    high: f64,
+}
+
+impl Slope {
+    pub(super) const ZERO: Self = Self::exactly(0.0);
+    pub(super) const ONE: Self = Self::exactly(1.0);
+    pub(super) const MINUS_ONE: Self = Self::exactly(-1.0);
+    /// Of a choice that may or may not follow the operand.
+    pub(super) const PARTLY: Self = Self { low: 0.0, high: 1.0 };
+
+    pub(super) const fn exactly(slope: f64) -> Self {
+        Self { low: slope, high: slope }
+    }
+
+    /// All from one end to the other.
+    pub(super) fn between(a: f64, b: f64) -> Self {
+        Self { low: a.min(b), high: a.max(b) }
+    }
+
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self::between(self.low * factor, self.high * factor)
+    }
+
+    /// Wider by this share of the ends.
+    pub(super) fn wider(self, share: f64) -> Self {
+        Self { low: self.low - self.low.abs() * share, high: self.high + self.high.abs() * share }
+    }
+
+    /// Largest magnitude.
+    fn size(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    fn is_finite(self) -> bool {
+        self.low.is_finite() && self.high.is_finite()
+    }
+
+    fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
+    }
+
+    pub(super) fn product(self, b: Self) -> Self {
+        let (p, q, r, s) = (self.low * b.low, self.low * b.high, self.high * b.low, self.high * b.high);
+        Self { low: p.min(q).min(r.min(s)), high: p.max(q).max(r.max(s)) }
+    }
+
+    /// Adds, outwards by more than f64 rounds.
+    fn add(&mut self, b: Self) {
+        self.low += b.low - (self.low.abs() + b.low.abs()) * f64::EPSILON;
+        self.high += b.high + (self.high.abs() + b.high.abs()) * f64::EPSILON;
+    }
+}
+
+/// A number's place on the tape.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place(u32);
+
+impl Place {
+    /// Not there: all that is known of the number's error is its interval.
+    pub(super) const NONE: Self = Self(u32::MAX);
+
+    fn index(self) -> Option<usize> {
+        (self != Self::NONE).then_some(self.0 as usize)
+    }
+}
+
+/// An operation: what its result owes to two operands, and its own error.
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    operands: [Place; 2],
+    slopes: [Slope; 2],
+    own: f64,
+    is_product: bool,
+}
+
+/// Operations of a batch, in order. When it is full, what follows is known by intervals alone.
+#[derive(Debug)]
+pub(super) struct Tape {
+    steps: Vec<Step>,
+    capacity: usize,
+    sweep: Sweep,
+}
+
+impl Default for Tape {
+    fn default() -> Self {
+        Self::with_capacity(1 << 20) // 64 MiB
+    }
+}
+
+/// More than the sums of a sweep may be off by rounding in f64.
+const HAIR: f64 = 1.0 + 1e-9;
+
+impl Tape {
+    /// An empty tape for so many steps.
+    pub(super) fn with_capacity(capacity: usize) -> Self {
+        Self { steps: Vec::new(), capacity, sweep: Sweep::default() }
+    }
+
+    /// `result`, of which nothing is remembered but its interval; still, it is one number wherever it is used.
+    pub(super) fn source(&mut self, result: Float) -> Float {
+        self.record(result, result.bound(), [(result, Slope::ZERO); 2])
+    }
+
+    /// `result` of an operation on two operands.
+    pub(super) fn record(&mut self, result: Float, mut own: f64, operands: [(Float, Slope); 2]) -> Float {
+        let place = Place(self.steps.len() as u32);
+        if !result.bounded() || result.bound() == 0.0 || self.steps.len() >= self.capacity {
+            return Float { place: Place::NONE, ..result };
+        }
+        if result.may_flush() {
+            own += MIN_NORMAL;
+        }
+        for (operand, slope) in operands {
+            if operand.may_flush() {
+                own += slope.size() * MIN_NORMAL; // here, and perhaps nowhere else
+            }
+            if operand.place == Place::NONE && !slope.is_zero() && operand.bound() > 0.0 {
+                own += slope.size() * operand.bound();
+            }
+        }
+        let [(a, in_a), (b, in_b)] = operands;
+        if !(own.is_finite() && in_a.is_finite() && in_b.is_finite()) {
+            return self.source(result);
+        }
+        self.steps.push(Step { operands: [a.place, b.place], slopes: [in_a, in_b], own, is_product: false });
+        Float { place, ..result }
+    }
+
+    /// Notes that the number, just put on the tape, is a product.
+    pub(super) fn mark_product(&mut self, number: Float) {
+        if let Some(index) = number.place.index() {
+            self.steps[index].is_product = true;
+        }
+    }
+
+    /// The number as a sum takes it: a product may be fused into one sum and rounded in another, so that in each
+    /// its rounding is an error of its own.
+    pub(super) fn summand(&mut self, number: Float) -> Float {
+        match number.place.index() {
+            Some(index) if self.steps[index].is_product && self.steps.len() < self.capacity => {
+                self.steps.push(self.steps[index]);
+                Float { place: Place(self.steps.len() as u32 - 1), ..number }
+            }
+            Some(index) if self.steps[index].is_product => Float { place: Place::NONE, ..number },
+            Some(_) | None => number,
+        }
+    }
+
+    /// Puts the opposite of a number on the tape; that of a product is one.
+    pub(super) fn negative(&mut self, number: Float, result: Float) -> Float {
+        match number.place.index() {
+            Some(index) if self.steps[index].is_product && self.steps.len() < self.capacity => {
+                let step = self.steps[index];
+                self.steps.push(Step { slopes: step.slopes.map(|s| s.times(-1.0)), ..step });
+                Float { place: Place(self.steps.len() as u32 - 1), ..result }
+            }
+            Some(_) | None => self.record(result, 0.0, [(number, Slope::MINUS_ONE), (number, Slope::ZERO)]),
+        }
+    }
+
+    /// How far `number` may be from its exact value, by all that led to it; infinite where that says nothing.
+    pub(super) fn bound(&mut self, number: Float) -> f64 {
+        let Some(top) = number.place.index() else {
+            return f64::INFINITY;
+        };
+        let mut sum = 0.0;
+        self.sweep.begin(top);
+        while let Some((index, slope)) = self.sweep.next() {
+            if !slope.is_finite() {
+                sum = f64::INFINITY;
+                continue;
+            }
+            let step = &self.steps[index];
+            sum += slope.size() * step.own;
+            for (operand, along) in step.operands.iter().zip(step.slopes) {
+                if let Some(from) = operand.index()
+                    && !along.is_zero()
+                {
+                    self.sweep.add(from, slope.product(along));
+                }
+            }
+        }
+        sum * HAIR
+    }
+}
+
+/// A walk back along the tape: the slopes of one number in the steps that it depends on, latest step first.
+#[derive(Debug, Default)]
+struct Sweep {
+    slopes: Vec<Slope>,
+    /// A bit for each step that waits.
+    waiting: Vec<u64>,
+    /// The word of `waiting` that is being emptied.
+    word: usize,
+}
+
+impl Sweep {
+    fn begin(&mut self, top: usize) {
+        if self.slopes.len() <= top {
+            self.slopes.resize(top + 1, Slope::ZERO);
+            self.waiting.resize(top / 64 + 1, 0);
+        }
+        self.word = top / 64;
+        self.add(top, Slope::ONE);
+    }
+
+    fn add(&mut self, index: usize, slope: Slope) {
+        self.slopes[index].add(slope);
+        self.waiting[index / 64] |= 1 << (index % 64);
+    }
+
+    /// Takes the latest step that waits.
+    fn next(&mut self) -> Option<(usize, Slope)> {
+        while self.waiting[self.word] == 0 {
+            self.word = self.word.checked_sub(1)?;
+        }
+        let bit = 63 - self.waiting[self.word].leading_zeros() as usize;
+        self.waiting[self.word] &= !(1 << bit);
+        let index = self.word * 64 + bit;
+        Some((index, std::mem::replace(&mut self.slopes[index], Slope::ZERO)))
+    }
+}
