@@ -19,15 +19,15 @@ const HELD: &[(&str, &str, usize)] = &[
     // Once for each pixel and rectangle.
     ("rect_laplace", "rect_laplace_receiver", 100),
     // For each pixel, rectangle and light.
-    ("rect_laplace", "rect_laplace_integral", 702),
-    ("rect_laplace_sg", "rect_laplace_integral_sg", 711),
-    ("rect_laplace_fast", "rect_laplace_fast_integral", 416),
-    ("rect_laplace_fast_sg", "rect_laplace_fast_integral_sg", 420),
+    ("rect_laplace", "rect_laplace_integral", 712),
+    ("rect_laplace_sg", "rect_laplace_integral_sg", 721),
+    ("rect_laplace_fast", "rect_laplace_fast_integral", 421),
+    ("rect_laplace_fast_sg", "rect_laplace_fast_integral_sg", 425),
     // All together.
-    ("rect_laplace", "rect_laplace", 835),
-    ("rect_laplace_sg", "rect_laplace_sg", 844),
-    ("rect_laplace_fast", "rect_laplace_fast", 549),
-    ("rect_laplace_fast_sg", "rect_laplace_fast_sg", 553),
+    ("rect_laplace", "rect_laplace", 845),
+    ("rect_laplace_sg", "rect_laplace_sg", 854),
+    ("rect_laplace_fast", "rect_laplace_fast", 554),
+    ("rect_laplace_fast_sg", "rect_laplace_fast_sg", 558),
 ];
 
 #[test]

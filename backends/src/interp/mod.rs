@@ -42,7 +42,7 @@ use rayon::prelude::*;
 const LANES: usize = 256;
 
 /// The same in the shadow lane, whose tape shall stay in a cache.
-const SHADOW_LANES: usize = 32;
+const SHADOW_LANES: usize = 64;
 
 /// Rounds of loops that a batch may run, unless [`Interpreter::with_fuel`] says otherwise.
 const FUEL: u64 = 1 << 24;

@@ -43,6 +43,40 @@ fn cancellation_shows_in_the_bound() {
 }
 
 #[test]
+fn an_error_that_two_operands_share_cancels() {
+    let (_, exact, bound) = one("fn f(x: f32) -> f32 { let e = exp(x); return (e + 1.0) - e; }", &[8.0]);
+    // Of the sum's and the difference's rounding, not of the 19 ULP that the exponential may be off.
+    assert!((exact - 1.0).abs() < 1e-9 && bound < 3.0 * ULP * 2981.0, "{bound}");
+}
+
+#[test]
+fn a_newton_step_forgives_its_start() {
+    let start = "let y = exp(-0.5 * log(x));";
+    let (_, exact, before) = one(&format!("fn f(x: f32) -> f32 {{ {start} return y; }}"), &[1234.5]);
+    let step = "return y * (1.5 - 0.5 * x * y * y);";
+    let (_, _, after) = one(&format!("fn f(x: f32) -> f32 {{ {start} {step} }}"), &[1234.5]);
+    assert!(before > 20.0 * ULP * exact && after < 5.0 * ULP * exact, "{before} {after} {exact}");
+}
+
+#[test]
+fn a_product_may_be_fused_into_one_sum_and_rounded_in_another() {
+    let (_, exact, bound) = one("fn f(a: f32) -> f32 { let p = a * 0.1; return p - p; }", &[1.1]);
+    assert!(exact == 0.0 && bound >= 0.1 * ULP / 4.0, "{bound}");
+    let (_, _, bound) = one("fn f(a: f32) -> f32 { let p = exp(a); return p - p; }", &[1.0]);
+    assert!(bound < 1e-12, "{bound}");
+}
+
+#[test]
+fn a_difference_decides_where_its_operands_overlap() {
+    // `e` is off by far more than a hundredth, in both operands alike.
+    let text = "fn f(x: f32) -> f32 { let e = exp(x); return select(1.0, 2.0, e < e + 0.01); }";
+    assert_eq!(one(text, &[9.0]).2, 0.0);
+    let (_, exact, bound) =
+        one("fn f(x: f32) -> f32 { let e = exp(x); return 1.0 / (e + 0.05 - e); }", &[9.0]);
+    assert!((exact - 20.0).abs() < 1e-3 && bound < 1.0, "{exact} {bound}");
+}
+
+#[test]
 fn expm1_over_x_by_higham_has_no_useful_bound_near_zero() {
     let text = "fn f(x: f32) -> f32 { let u = exp(x); return (u - 1.0) / log(u); }";
     // What the logarithm's absolute error leaves, and nothing above: the errors of the exponential cancel.

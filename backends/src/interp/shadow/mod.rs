@@ -11,6 +11,11 @@
 //! Since each operation allows for all operands, second-order terms are no matter; since the interval holds
 //! the exact result of operands that were not rounded before, contraction to fused multiply-add is covered.
 //!
+//! Intervals alone forget which numbers share an error; the [`tape`] remembers, and bounds what depends on
+//! them by how the errors meet.
+//! The bound of a result is the smaller of both; on the way, wide intervals are cut to what the tape leaves, and
+//! a comparison that intervals leave open is asked of the difference.
+//!
 //! An interval rather than a radius, because kernels guard their domains: after `max(x, 0)` nothing is
 //! negative, and only an interval says so to the root that follows.
 //!
@@ -19,7 +24,8 @@
 //! - A result that is correctly rounded lies between the floats that enclose it, so what is representable is
 //!   exact: counters and powers of two carry no error.
 //! - Flushing: whenever an interval holds subnormal numbers it is extended to zero.
-//! - A number that is used twice is one number, so `x * x` is not negative.
+//! - A number that is used twice is one number, so `x * x` is not negative, and `x - x` is zero; but a product may be
+//!   fused into one sum and rounded in another, and a subnormal number flushed in one place and kept in another.
 //! - Errors in ULP do not change the sign of a result, and an ULP of zero is zero.
 //! - `sqrt` is `1 / inverse_sqrt(x)`, which at zero would be `1 / inf`, which no rule bounds; we let arguments
 //!   that reach below the normal numbers give results in `0 ..= sqrt(high)`, widened.

@@ -31,7 +31,7 @@ pub fn rect_laplace_ceiling(rectangle: Rectangle, reflector: Reflector, receiver
 /// How much harder than straight on the rectangle is to see: what multiplies the budgets.
 ///
 /// With `g`, distance and larger half extent over the pixel's height above the rectangle's plane, `f`, distance over
-/// smaller half extent, and `c`, the viewer's cosine at the pixel, `4 + 0.006 g² + 1e-3 f + 0.02/c`: height and extents
+/// smaller half extent, and `c`, the viewer's cosine at the pixel, `4 + 0.006 g² + 5e-3 f + 0.02/c`: height and extents
 /// are differences of positions, of which a grazing pixel, and one far from a small rectangle, leave few digits, and a
 /// grazing view makes half vectors steep. Where the pixel's normal is within 2e-4 of being perpendicular to a side,
 /// `400 + 80 g` more: there the corner that a spot is lifted to moves from one end of the side to the other.
@@ -46,7 +46,7 @@ pub fn rect_laplace_difficulty(rectangle: Rectangle, receiver: GlossyReceiver) -
     let askew = select(0.0, 400.0 + 80.0 * g, min(abs(x), abs(y)) < 2e-4);
     let small = far / min(rectangle.half_x, rectangle.half_y);
     let steep = 1.0 / max(dot(receiver.normal, receiver.view), 1e-3);
-    4.0 + 0.006 * (g * g) + 1e-3 * small + 0.02 * steep + askew
+    4.0 + 0.006 * (g * g) + 5e-3 * small + 0.02 * steep + askew
 }
 
 /// 1 where a cosine of the light or of the view is at 1e-3, below which nothing arrives; else 0.
@@ -64,7 +64,7 @@ pub fn rect_laplace_form_condition(second: Vec3) -> f32 {
     product / max(product - second.z * second.z, 1e-5 * product)
 }
 
-/// What multiplies the budget of [`rect_laplace`](crate::rect::laplace::rect_laplace): `0.4 c` above the difficulty, `c`
+/// What multiplies the budget of [`rect_laplace`](crate::rect::laplace::rect_laplace): `c` above the difficulty, `c`
 /// being the condition of its step.
 #[kernel]
 pub fn rect_laplace_hardness(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
@@ -78,10 +78,10 @@ pub fn rect_laplace_hardness(rectangle: Rectangle, reflector: Reflector, receive
     let spot =
         rect_laplace_spot(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame));
     let local = rect_laplace_local(reflector_in_frame, receiver_in_frame, spot);
-    difficulty + 0.4 * rect_laplace_form_condition(local.second)
+    difficulty + rect_laplace_form_condition(local.second)
 }
 
-/// What multiplies the budget of [`rect_laplace_sg`](crate::rect::laplace::rect_laplace_sg): `0.4 c` above the difficulty, `c`
+/// What multiplies the budget of [`rect_laplace_sg`](crate::rect::laplace::rect_laplace_sg): `c` above the difficulty, `c`
 /// being the condition of its step.
 #[kernel]
 pub fn rect_laplace_hardness_sg(rectangle: Rectangle, reflector: Reflector, receiver: GlossyReceiver) -> f32 {
@@ -95,7 +95,7 @@ pub fn rect_laplace_hardness_sg(rectangle: Rectangle, reflector: Reflector, rece
     let spot =
         rect_laplace_spot(receiver_in_frame, rect_laplace_start(reflector_in_frame, receiver_in_frame));
     let local = rect_laplace_local_sg(reflector_in_frame, receiver_in_frame, spot);
-    difficulty + 0.4 * rect_laplace_form_condition(local.second)
+    difficulty + rect_laplace_form_condition(local.second)
 }
 
 /// 1 where [`rect_laplace_fast`](crate::rect::laplace::rect_laplace_fast) may jump, else 0: where both axes show as

@@ -48,10 +48,10 @@
 //! | rectangle | [`rect_laplace_bitangent`] | 9 |
 //! | rectangle and light | [`rect_laplace_reflector`] | 21 |
 //! | pixel and rectangle | [`rect_laplace_receiver`] | 100 |
-//! | pixel, rectangle and light | [`rect_laplace_integral`] | 702 |
-//! | | [`rect_laplace_integral_sg`] | 711 |
-//! | | [`rect_laplace_fast_integral`] | 416 |
-//! | | [`rect_laplace_fast_integral_sg`] | 420 |
+//! | pixel, rectangle and light | [`rect_laplace_integral`] | 712 |
+//! | | [`rect_laplace_integral_sg`] | 721 |
+//! | | [`rect_laplace_fast_integral`] | 421 |
+//! | | [`rect_laplace_fast_integral_sg`] | 425 |
 //!
 //! The integrals return the direction of the spot, too, at which an engine evaluates its `M_r` and `M_x`.
 //! [`rect_laplace`] and its variants do everything for one pixel, with constant reflectances.

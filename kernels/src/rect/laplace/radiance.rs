@@ -42,7 +42,7 @@ pub fn rect_laplace_scale(reflector: Reflector, receiver: GlossyReceiver) -> f32
 /// their denominator is of one sign; the edges are exact where the spot is clamped to them; how far a spot is below the
 /// horizon is measured at the spot, not as a difference of two heights of the corner. f32 differs from f64 by 3e-7 in
 /// the median. The derived bound is 1.8e-5 of the result in the median of what is lit, 3e-4 for 99 in 100. The budget is
-/// 1e-4 of the result and 1e-6 of [`rect_laplace_ceiling`], times [`rect_laplace_hardness`]: 4.4 for a round lobe seen
+/// 1e-4 of the result and 1e-6 of [`rect_laplace_ceiling`], times [`rect_laplace_hardness`]: 5 for a round lobe seen
 /// straight on, more for grazing pixels, for rectangles small in the distance, and for a long thin lobe that lies
 /// askew. 1 in 20 000 inputs has no bound: degenerate ones, such as a pixel that faces away and catches a grazing rest.
 #[kernel(
