@@ -1,6 +1,7 @@
 //! One opened device: pipeline, buffers, dispatch, read back.
 
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use super::buffers::{Buffers, Spare};
 use super::driver::{self, block_on};
@@ -90,17 +91,41 @@ impl Device {
         let mut spare = std::mem::take(&mut self.spare);
         let step = self.scoped(|| {
             let buffers = Buffers::fill(&mut spare, &self.device, &self.queue, job.bindings);
-            self.submit(&pipeline, &buffers, job);
+            self.submit(&pipeline, &buffers, job, true);
             buffers.map();
             buffers
         });
         let buffers = step.map_err(|fault| self.runtime_error(fault))?;
-        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
-        self.report().map_err(|fault| self.runtime_error(fault))?;
-        waited.map_err(|error| self.runtime_error(Fault::Rejected(error.to_string())))?;
+        self.wait()?;
         let outputs = buffers.read().map_err(|error| self.runtime_error(Fault::Rejected(error)))?;
         self.spare = buffers.into_spare();
         Ok(outputs)
+    }
+
+    /// Times one dispatch of a job that has passed `check` after another, its data staying where it is.
+    pub(super) fn time(&mut self, job: &Job, rounds: usize) -> Result<Vec<Duration>, GpuError> {
+        let pipeline = self.pipeline(job)?;
+        let mut spare = std::mem::take(&mut self.spare);
+        let filled = self.scoped(|| Buffers::fill(&mut spare, &self.device, &self.queue, job.bindings));
+        let buffers = filled.map_err(|fault| self.runtime_error(fault))?;
+        self.queue.submit([]);
+        self.wait()?;
+        let round = |_| {
+            let begin = Instant::now();
+            let step = self.scoped(|| self.submit(&pipeline, &buffers, job, false));
+            step.map_err(|fault| self.runtime_error(fault))?;
+            self.wait().map(|()| begin.elapsed())
+        };
+        let times = (0..rounds).map(round).collect();
+        self.spare = buffers.into_spare();
+        times
+    }
+
+    /// Waits for what was submitted.
+    fn wait(&self) -> Result<(), GpuError> {
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.report().map_err(|fault| self.runtime_error(fault))?;
+        waited.map(drop).map_err(|error| self.runtime_error(Fault::Rejected(error.to_string())))
     }
 
     fn pipeline(&mut self, job: &Job) -> Result<Pipeline, GpuError> {
@@ -119,7 +144,7 @@ impl Device {
         Ok(pipeline)
     }
 
-    fn submit(&self, pipeline: &Pipeline, buffers: &Buffers, job: &Job) {
+    fn submit(&self, pipeline: &Pipeline, buffers: &Buffers, job: &Job, back: bool) {
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -132,7 +157,9 @@ impl Device {
             let [x, y, z] = job.groups;
             pass.dispatch_workgroups(x, y, z);
         }
-        buffers.copy_back(&mut encoder);
+        if back {
+            buffers.copy_back(&mut encoder);
+        }
         self.queue.submit([encoder.finish()]);
     }
 

@@ -59,17 +59,33 @@ impl Gpu {
     ///
     /// A [`GpuError`] that says whose fault it was. After any of them the next job runs, on a fresh device if need be.
     pub fn run(&mut self, job: &Job) -> Result<Vec<Vec<u8>>, GpuError> {
+        self.ask(job, 0)?.outputs
+    }
+
+    /// How long each of `rounds` dispatches of a job takes, from encoding to completion, its data staying on the
+    /// device.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::run`].
+    pub fn time(&mut self, job: &Job, rounds: usize) -> Result<Vec<Duration>, GpuError> {
+        let answer = self.ask(job, rounds)?;
+        answer.outputs.map(|_| answer.times)
+    }
+
+    /// Runs a job, or times it.
+    fn ask(&mut self, job: &Job, rounds: usize) -> Result<Answer, GpuError> {
         check::check(&self.driver.name, &self.limits, job)?;
         let worker = match self.worker.take() {
             Some(worker) => worker,
             None => Worker::start(&self.driver, self.timeout)?.0,
         };
-        match worker.run(OwnedJob::of(job), self.timeout) {
+        match worker.run((OwnedJob::of(job), rounds), self.timeout) {
             Ok(answer) => {
                 if answer.is_device_well {
                     self.worker = Some(worker);
                 }
-                answer.outputs
+                Ok(answer)
             }
             Err(why) => {
                 worker.leave_behind();
@@ -91,13 +107,17 @@ impl std::fmt::Debug for Gpu {
 /// The near end of a device's thread.
 struct Worker {
     /// `None` once the thread has been told to end.
-    jobs: Option<Sender<OwnedJob>>,
+    jobs: Option<Sender<Task>>,
     answers: Receiver<Answer>,
     thread: Option<JoinHandle<()>>,
 }
 
+/// A job, and how often it is timed; not at all if it is to be run.
+type Task = (OwnedJob, usize);
+
 struct Answer {
     outputs: Result<Vec<Vec<u8>>, GpuError>,
+    times: Vec<Duration>,
     is_device_well: bool,
 }
 
@@ -127,7 +147,7 @@ impl Worker {
     }
 
     /// Hands `job` over and waits for the answer.
-    fn run(&self, job: OwnedJob, timeout: Duration) -> Result<Answer, RecvTimeoutError> {
+    fn run(&self, job: Task, timeout: Duration) -> Result<Answer, RecvTimeoutError> {
         if let Some(jobs) = &self.jobs {
             // A thread that has ended shows below, as a closed channel of answers.
             let _ = jobs.send(job);
@@ -164,11 +184,18 @@ fn given_up(driver: &Driver, why: RecvTimeoutError, limit: Duration) -> GpuError
     }
 }
 
-fn serve(mut device: Device, jobs: &Receiver<OwnedJob>, answers: &Sender<Answer>) {
-    while let Ok(job) = jobs.recv() {
-        let outputs = job.lend(|job| device.run(job));
+fn serve(mut device: Device, jobs: &Receiver<Task>, answers: &Sender<Answer>) {
+    while let Ok((job, rounds)) = jobs.recv() {
+        let mut times = Vec::new();
+        let outputs = job.lend(|job| match rounds {
+            0 => device.run(job),
+            rounds => device.time(job, rounds).map(|t| {
+                times = t;
+                Vec::new()
+            }),
+        });
         let is_device_well = !device.is_lost();
-        if answers.send(Answer { outputs, is_device_well }).is_err() || !is_device_well {
+        if answers.send(Answer { outputs, times, is_device_well }).is_err() || !is_device_well {
             break;
         }
     }

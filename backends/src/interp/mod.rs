@@ -1,8 +1,6 @@
-//! The CPU executor: naga IR, lane by lane.
+//! The CPU executor.
 //!
-//! One machine (`exec`) walks statements and expressions for a batch of lanes; what a lane's numbers are
-//! is a model's business (`model`).
-//! Three models answer three questions:
+//! Three questions have an answer each:
 //!
 //! - *strict* ([`Interpreter::call`], [`Interpreter::run`]): what are the results in IEEE f32, each operation
 //!   as [`lobe_codegen::math`] has it?
@@ -12,6 +10,11 @@
 //! - *perturbed* ([`Interpreter::perturbed`]): what does one such driver return, drawn by chance?
 //!   It is how the bounds are put to the test.
 //!
+//! The strict way is made for speed: `lower` turns naga's IR into a `program` on scalars, once; `passes` rewrite it;
+//! `fast` runs it on arrays of lanes, by vector instructions that are chosen at run time.
+//! The other two walk naga's IR itself (`exec`), for a batch of lanes; what a lane's numbers are is a model's
+//! business (`model`). A strict model of the same machine judges the fast one.
+//!
 //! Integers are as in WGSL: wrapping, `x / 0 = x`, `x % 0 = 0`, shifts by the lower five bits, conversions
 //! saturate; indices out of bounds are clamped.
 
@@ -19,18 +22,23 @@ mod batch;
 mod dispatch;
 mod error;
 mod exec;
+mod fast;
 mod formula;
 mod layout;
 mod leaf;
+mod lower;
 mod mask;
 mod memory;
 mod model;
+mod passes;
 mod perturbed;
+mod program;
 mod shadow;
 mod strict;
 
 pub use dispatch::Buffer;
 pub use error::InterpError;
+pub use fast::Isa;
 
 use batch::Batch;
 use lobe_codegen::ValidModule;
@@ -52,6 +60,7 @@ const FUEL: u64 = 1 << 24;
 pub struct Interpreter<'m> {
     module: &'m ValidModule,
     fuel: u64,
+    isa: Isa,
 }
 
 /// Results of the shadow lane.
@@ -95,13 +104,20 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// None yet: what is not supported is reported when it is met.
     pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
-        Ok(Self { module, fuel: FUEL })
+        Ok(Self { module, fuel: FUEL, isa: Isa::best() })
     }
 
     /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
     #[must_use]
     pub fn with_fuel(self, rounds: u64) -> Self {
         Self { fuel: rounds, ..self }
+    }
+
+    /// The same, but with this instruction set, if the machine has it; all give the same bits.
+    #[must_use]
+    pub fn with_isa(self, isa: Isa) -> Self {
+        let isa = if Isa::available().contains(&isa) { isa } else { self.isa };
+        Self { isa, ..self }
     }
 
     /// Calls function `f` on every row, in strict f32: one column of words for each scalar of the arguments,
@@ -111,7 +127,33 @@ impl<'m> Interpreter<'m> {
     /// When the columns do not fit the parameters, the function does something that the interpreter does not
     /// execute, or a loop does not end.
     pub fn call(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
+        let signature = batch::Signature::of(self.module, f, args, None)?;
+        let program = lower::function(self.module, f)?;
+        debug_assert_eq!(program.results.len(), signature.results.len());
+        fast::rows::call(&fast::Code::new(program, false, self.isa)?, args, self.fuel)
+    }
+
+    /// What [`Interpreter::call`] returns, by the machine that walks naga's IR: the judge of the fast one.
+    ///
+    /// # Errors
+    /// As [`Interpreter::call`].
+    #[doc(hidden)]
+    pub fn call_walking(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
         self.plain(f, args, |_| strict::Strict)
+    }
+
+    /// What [`Interpreter::run`] does, by the machine that walks naga's IR.
+    ///
+    /// # Errors
+    /// As [`Interpreter::run`].
+    #[doc(hidden)]
+    pub fn run_walking(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        buffers: &mut [Buffer],
+    ) -> Result<(), InterpError> {
+        dispatch::run(self.module, self.fuel, entry, groups, buffers)
     }
 
     /// Calls `f` as a permitted driver would that errs by chance; the same seed gives the same results.
@@ -195,6 +237,16 @@ impl<'m> Interpreter<'m> {
     /// When there is no such entry point, a buffer lacks or is too small, the entry point does something that
     /// the interpreter does not execute, a barrier is not uniform, or a loop does not end.
     pub fn run(&self, entry: usize, groups: [u32; 3], buffers: &mut [Buffer]) -> Result<(), InterpError> {
-        dispatch::run(self.module, self.fuel, entry, groups, buffers)
+        let point = self.module.module().entry_points.get(entry).ok_or(InterpError::NoEntryPoint(entry))?;
+        if point.stage != naga::ShaderStage::Compute || point.workgroup_size_overrides.is_some() {
+            let what = "an entry point that is no compute shader of fixed workgroup size".to_owned();
+            return Err(InterpError::Unsupported { what, function: point.name.clone() });
+        }
+        let program = lower::entry(self.module, entry)?;
+        let packed = !program.cooperative;
+        let code = fast::Code::new(program, packed, self.isa)?;
+        let dispatch =
+            fast::dispatch::Dispatch { code: &code, size: point.workgroup_size, groups, fuel: self.fuel };
+        dispatch.run(buffers)
     }
 }

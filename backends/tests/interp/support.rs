@@ -1,6 +1,6 @@
 //! What the tests share: modules from text, columns from numbers, a generator.
 
-use lobe_backends::interp::{Interpreter, ShadowColumn, ShadowColumns};
+use lobe_backends::interp::{Interpreter, Isa, ShadowColumn, ShadowColumns};
 use lobe_codegen::data::Columns;
 use lobe_codegen::{ValidModule, validate};
 
@@ -19,11 +19,23 @@ pub(crate) fn floats(lists: &[Vec<f32>]) -> Columns {
     columns(&lists.iter().map(|l| l.iter().map(|x| x.to_bits()).collect()).collect::<Vec<_>>())
 }
 
-/// Calls `f` of the module.
+/// Calls `f` of the module: on every instruction set that there is, and by the machine that walks the IR.
 pub(crate) fn call(text: &str, args: &Columns) -> Columns {
     let module = module(text);
-    let interpreter = Interpreter::new(&module).unwrap();
-    interpreter.call(module.function("f").unwrap(), args).unwrap()
+    let f = module.function("f").unwrap();
+    let walked = Interpreter::new(&module).unwrap().call_walking(f, args).unwrap();
+    for isa in Isa::available() {
+        let called = Interpreter::new(&module).unwrap().with_isa(isa).call(f, args).unwrap();
+        assert_eq!(without_nan(&called), without_nan(&walked), "{isa} and the walking machine\n{text}");
+    }
+    walked
+}
+
+/// The same with one NaN for all: which one an operation returns is the processor's choice.
+fn without_nan(columns: &Columns) -> Columns {
+    let one = |w: &u32| if f32::from_bits(*w).is_nan() { f32::NAN.to_bits() } else { *w };
+    let columns_of = columns.columns.iter().map(|c| c.iter().map(one).collect()).collect();
+    Columns { columns: columns_of, rows: columns.rows }
 }
 
 /// The shadow of `f`.

@@ -1,0 +1,163 @@
+//! From programs to code: forms of operations, slots, jumps, masks.
+
+mod evals;
+mod flow;
+
+use super::super::error::{InterpError, Res};
+use super::super::passes::{Masks, Owner};
+use super::super::program::{Block, Program, Scalar, Stmt, Value};
+use super::allocate::{Allocation, allocate};
+use super::ops;
+use super::shape::{Body, exec};
+use super::{Code, Inst, Isa, machine};
+use flow::{Mask, Region};
+use std::collections::HashSet;
+
+/// Slots that hold copies of cells for one step.
+const COPIES: u32 = 4;
+
+/// Writes code.
+struct Linker<'p, const N: usize> {
+    program: &'p Program,
+    masks: &'p Masks,
+    isa: Isa,
+    places: Vec<u32>,
+    /// A cell that holds zero.
+    zero: u32,
+    insts: Vec<Inst<N>>,
+    /// Counts blocks as `passes::uniform` does.
+    blocks: u32,
+    regions: Vec<Region>,
+    /// Masks that lanes were taken out of since their blocks looked.
+    cleared: HashSet<Owner>,
+}
+
+/// How deep blocks lie within each other.
+fn depth(block: &Block) -> u32 {
+    let inner = block.iter().flat_map(|s| s.blocks()).flatten().map(depth).max().unwrap_or(0);
+    inner + 1
+}
+
+/// Links `program`, of which `masks` is known.
+pub(super) fn link<const N: usize>(program: Program, masks: &Masks, isa: Isa) -> Res<Code<N>> {
+    // Slot 0 is the mask of lanes that exist, then copies, then masks by depth.
+    let first = 1 + COPIES + depth(&program.body);
+    let mut cells = machine::cells(&program);
+    let zero = cells.len() as u32;
+    cells.push(0);
+    let Allocation { places, narrow, wide, cells: count } =
+        allocate(&program, first, COPIES, cells.len() as u32);
+    cells.resize(count, 0);
+    let (mut narrow, mut wide) = (narrow, wide);
+    let mut arrays = Vec::new();
+    for array in &program.arrays {
+        let file = if array.wide { &mut wide } else { &mut narrow };
+        arrays.push(*file as u32);
+        *file += array.len.max(1) as usize;
+    }
+    let mut linker = Linker {
+        program: &program,
+        masks,
+        isa,
+        places,
+        zero,
+        insts: Vec::new(),
+        blocks: 0,
+        regions: Vec::new(),
+        cleared: HashSet::new(),
+    };
+    linker.whole(&arrays)?;
+    let results = program.results.iter().map(|v| (*v, linker.place(*v), program.varying(*v))).collect();
+    let insts = linker.insts;
+    Ok(Code { insts, narrow, wide, cells, results, program })
+}
+
+impl<const N: usize> Linker<'_, N> {
+    fn whole(&mut self, arrays: &[u32]) -> Res<()> {
+        let mask = Mask { owner: Owner(0), slot: 0 };
+        self.regions.push(Region { mask, label: None, ends: Vec::new() });
+        self.block(&self.program.body, mask, arrays)?;
+        let region = self.regions.pop();
+        self.arrive(region.map(|r| r.ends).unwrap_or_default());
+        Ok(())
+    }
+
+    /// The slot or cell of a value.
+    fn place(&self, value: Value) -> u32 {
+        match value {
+            Value::Const(id) => id,
+            Value::Reg(reg) => self.places[reg.0 as usize],
+        }
+    }
+
+    fn push<K: Body<N>>(&mut self, d: u32, s: [u32; 4], n: [u32; 3]) {
+        self.insts.push(Inst { run: exec::<K, N>(self.isa), d, s, n });
+    }
+
+    /// A slot with the lanes of a value: its own, or copy `at` of its cell.
+    fn slot(&mut self, value: Value, at: u32) -> u32 {
+        let place = self.place(value);
+        if self.program.varying(value) {
+            return place;
+        }
+        let scalar = self.program.scalar(value);
+        let slot = if scalar.wide() { at } else { 1 + at };
+        self.insts.push(Inst { run: ops::splat(scalar, self.isa), d: slot, s: [place, 0, 0, 0], n: [0; 3] });
+        slot
+    }
+
+    /// The same for a part of an address, zero where there is none.
+    fn index(&self, index: Option<Value>) -> (u32, bool) {
+        index.map_or((self.zero, false), |v| (self.place(v), self.program.varying(v)))
+    }
+
+    fn block(&mut self, block: &Block, mask: Mask, arrays: &[u32]) -> Res<()> {
+        for stmt in block {
+            self.statement(stmt, mask, arrays)?;
+            if self.cleared.remove(&mask.owner) {
+                self.skip_empty(mask);
+            }
+        }
+        Ok(())
+    }
+
+    fn statement(&mut self, stmt: &Stmt, mask: Mask, arrays: &[u32]) -> Res<()> {
+        match stmt {
+            Stmt::Eval(eval) => self.eval(eval, arrays),
+            Stmt::Set { to, value } => {
+                self.set(*to, *value, mask);
+                Ok(())
+            }
+            Stmt::Store { place, value, .. } => self.store(*place, *value, mask, arrays),
+            Stmt::Atomic(atomic) => self.atomic(atomic, mask),
+            Stmt::If { condition, accept, reject } => {
+                if self.program.varying(*condition) {
+                    self.part(*condition, accept, reject, mask, arrays)
+                } else {
+                    self.choose(*condition, accept, reject, mask, arrays)
+                }
+            }
+            Stmt::Loop { label, body, function } => self.repeat(*label, body, *function, mask, arrays),
+            Stmt::Scope { label, body } => self.scope(*label, body, mask, arrays),
+            Stmt::Leave(label) => {
+                self.leave(*label, mask);
+                Ok(())
+            }
+            Stmt::Barrier { function } => {
+                self.push::<super::control::Barrier>(0, [mask.slot, 0, 0, 0], [*function, 0, 0]);
+                Ok(())
+            }
+        }
+    }
+
+    /// What is not linked yet.
+    fn refuse(&self, what: String) -> InterpError {
+        let function = self.program.functions.first().cloned().unwrap_or_default();
+        InterpError::Unsupported { what, function }
+    }
+}
+
+/// Which file a scalar lies in.
+fn wide(scalar: Scalar) -> bool {
+    scalar.wide()
+}

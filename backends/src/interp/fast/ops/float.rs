@@ -1,0 +1,104 @@
+//! Floats of 32 bits, as the native functions have them.
+
+use super::super::super::program::op::FloatOp;
+use super::super::shape::{Ask, Found, one, three_alike, two, two_alike, two_commuting};
+use super::functions;
+use lobe_codegen::math::scalar;
+
+functions! {
+    Add(a: f32, b: f32) -> f32 = a + b;
+    Sub(a: f32, b: f32) -> f32 = a - b;
+    Mul(a: f32, b: f32) -> f32 = a * b;
+    Div(a: f32, b: f32) -> f32 = a / b;
+    Rem(a: f32, b: f32) -> f32 = a % b;
+    Neg(a: f32) -> f32 = -a;
+    Square(a: f32) -> f32 = a * a;
+    Nonnegative(a: f32) -> f32 = a;
+    Abs(a: f32) -> f32 = scalar::abs(a);
+    Min(a: f32, b: f32) -> f32 = scalar::min(a, b);
+    Max(a: f32, b: f32) -> f32 = scalar::max(a, b);
+    Sign(a: f32) -> f32 = scalar::sign(a);
+    Ceil(a: f32) -> f32 = scalar::ceil(a);
+    Floor(a: f32) -> f32 = scalar::floor(a);
+    Round(a: f32) -> f32 = scalar::round(a);
+    Trunc(a: f32) -> f32 = scalar::trunc(a);
+    Fract(a: f32) -> f32 = scalar::fract(a);
+    Step(edge: f32, x: f32) -> f32 = scalar::step(edge, x);
+    Clamp(x: f32, low: f32, high: f32) -> f32 = scalar::clamp(x, low, high);
+    Saturate(x: f32) -> f32 = scalar::saturate(x);
+    Sqrt(a: f32) -> f32 = scalar::sqrt(a);
+    InverseSqrt(a: f32) -> f32 = scalar::inverse_sqrt(a);
+    Exp(a: f32) -> f32 = scalar::exp(a);
+    Exp2(a: f32) -> f32 = scalar::exp2(a);
+    Log(a: f32) -> f32 = scalar::log(a);
+    Log2(a: f32) -> f32 = scalar::log2(a);
+    Pow(x: f32, y: f32) -> f32 = scalar::pow(x, y);
+    Sin(a: f32) -> f32 = scalar::sin(a);
+    Cos(a: f32) -> f32 = scalar::cos(a);
+    Tan(a: f32) -> f32 = scalar::tan(a);
+    Asin(a: f32) -> f32 = scalar::asin(a);
+    Acos(a: f32) -> f32 = scalar::acos(a);
+    Atan(a: f32) -> f32 = scalar::atan(a);
+    Atan2(y: f32, x: f32) -> f32 = scalar::atan2(y, x);
+    Sinh(a: f32) -> f32 = scalar::sinh(a);
+    Cosh(a: f32) -> f32 = scalar::cosh(a);
+    Tanh(a: f32) -> f32 = scalar::tanh(a);
+    Asinh(a: f32) -> f32 = scalar::asinh(a);
+    Acosh(a: f32) -> f32 = scalar::acosh(a);
+    Atanh(a: f32) -> f32 = scalar::atanh(a);
+    Degrees(a: f32) -> f32 = scalar::degrees(a);
+    Radians(a: f32) -> f32 = scalar::radians(a);
+    Fma(x: f32, y: f32, z: f32) -> f32 = scalar::fma(x, y, z);
+    Mix(x: f32, y: f32, t: f32) -> f32 = scalar::mix(x, y, t);
+    SmoothStep(low: f32, high: f32, x: f32) -> f32 = scalar::smoothstep(low, high, x);
+}
+
+pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
+    match op {
+        FloatOp::Add => two_commuting::<Add, N>(ask),
+        FloatOp::Sub => two::<Sub, N>(ask),
+        FloatOp::Mul => two_commuting::<Mul, N>(ask),
+        FloatOp::Div => two::<Div, N>(ask),
+        FloatOp::Rem => two_alike::<Rem, N>(ask),
+        FloatOp::Neg => one::<Neg, N>(ask),
+        FloatOp::Square => one::<Square, N>(ask),
+        FloatOp::Nonnegative => one::<Nonnegative, N>(ask),
+        FloatOp::Abs => one::<Abs, N>(ask),
+        FloatOp::Min => two::<Min, N>(ask),
+        FloatOp::Max => two::<Max, N>(ask),
+        FloatOp::Sign => one::<Sign, N>(ask),
+        FloatOp::Ceil => one::<Ceil, N>(ask),
+        FloatOp::Floor => one::<Floor, N>(ask),
+        FloatOp::Round => one::<Round, N>(ask),
+        FloatOp::Trunc => one::<Trunc, N>(ask),
+        FloatOp::Fract => one::<Fract, N>(ask),
+        FloatOp::Step => two_alike::<Step, N>(ask),
+        FloatOp::Clamp => three_alike::<Clamp, N>(ask),
+        FloatOp::Saturate => one::<Saturate, N>(ask),
+        FloatOp::Sqrt => one::<Sqrt, N>(ask),
+        FloatOp::InverseSqrt => one::<InverseSqrt, N>(ask),
+        FloatOp::Exp => one::<Exp, N>(ask),
+        FloatOp::Exp2 => one::<Exp2, N>(ask),
+        FloatOp::Log => one::<Log, N>(ask),
+        FloatOp::Log2 => one::<Log2, N>(ask),
+        FloatOp::Pow => two_alike::<Pow, N>(ask),
+        FloatOp::Sin => one::<Sin, N>(ask),
+        FloatOp::Cos => one::<Cos, N>(ask),
+        FloatOp::Tan => one::<Tan, N>(ask),
+        FloatOp::Asin => one::<Asin, N>(ask),
+        FloatOp::Acos => one::<Acos, N>(ask),
+        FloatOp::Atan => one::<Atan, N>(ask),
+        FloatOp::Atan2 => two_alike::<Atan2, N>(ask),
+        FloatOp::Sinh => one::<Sinh, N>(ask),
+        FloatOp::Cosh => one::<Cosh, N>(ask),
+        FloatOp::Tanh => one::<Tanh, N>(ask),
+        FloatOp::Asinh => one::<Asinh, N>(ask),
+        FloatOp::Acosh => one::<Acosh, N>(ask),
+        FloatOp::Atanh => one::<Atanh, N>(ask),
+        FloatOp::Degrees => one::<Degrees, N>(ask),
+        FloatOp::Radians => one::<Radians, N>(ask),
+        FloatOp::Fma => three_alike::<Fma, N>(ask),
+        FloatOp::Mix => three_alike::<Mix, N>(ask),
+        FloatOp::SmoothStep => three_alike::<SmoothStep, N>(ask),
+    }
+}

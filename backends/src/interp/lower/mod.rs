@@ -1,0 +1,114 @@
+//! From naga's IR to programs.
+//!
+//! A [`Lowerer`] walks a function once, as an interpreter would, and writes down what there is to do.
+//! Calls are walked where they stand.
+//!
+//! - `build` is the pen: it numbers registers and does not write an operation twice.
+//! - `scan` tells beforehand which variables are indexed and what loops write.
+//! - `frame` is a function being walked: values of its expressions, its variables.
+//! - `control` turns statements to structured control flow; `call` enters functions.
+//! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
+//! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
+//!   `geometry`, `integer`.
+//!
+//! The operations, their names and their order are those of the native functions, so that results agree bit
+//! for bit.
+
+mod access;
+mod arithmetic;
+mod atomic;
+mod build;
+mod call;
+mod cast;
+mod constant;
+mod control;
+mod entry;
+mod expression;
+mod frame;
+mod geometry;
+mod integer;
+mod layout;
+mod math;
+mod memory;
+mod relational;
+mod scan;
+mod statement;
+
+use layout::Types;
+
+use super::error::{InterpError, Res};
+use super::program::{Program, Scalar, Value};
+use build::Builder;
+use frame::{Item, Pointer};
+use lobe_codegen::ValidModule;
+use naga::{Function, Handle};
+use scan::Scan;
+
+/// Statements that a program may have: what inlining makes of deep call graphs is bounded.
+const LARGEST: usize = 1 << 18;
+
+/// Scalars of a variable beyond which it lies in memory even if no index is dynamic.
+const MANY: usize = 256;
+
+/// Walks a module's functions.
+pub(crate) struct Lowerer<'m> {
+    module: &'m ValidModule,
+    b: Builder,
+    scan: Scan,
+    /// What the scalars of variables hold here; see `control`.
+    variables: Vec<Value>,
+    /// Private variables, by index.
+    globals: Vec<Option<Pointer>>,
+    /// Where lanes can leave to, innermost last.
+    exits: Vec<control::Exit>,
+    /// What is being lowered.
+    root: Option<lobe_codegen::module::Scope>,
+}
+
+/// Lowers function `f`; its parameters' scalars are the input columns.
+pub(crate) fn function(module: &ValidModule, f: Handle<Function>) -> Res<Program> {
+    let mut lowerer = Lowerer::new(module)?;
+    lowerer.root = Some(lobe_codegen::module::Scope::Function(f));
+    let arguments = lowerer.columns(&module.module().functions[f])?;
+    let results = lowerer.invoke(lobe_codegen::module::Scope::Function(f), arguments)?;
+    Ok(lowerer.b.finish(results))
+}
+
+/// Lowers compute entry point `index`.
+pub(crate) fn entry(module: &ValidModule, index: usize) -> Res<Program> {
+    let mut lowerer = Lowerer::new(module)?;
+    lowerer.root = Some(lobe_codegen::module::Scope::Entry(index));
+    let arguments = lowerer.builtins(index)?;
+    lowerer.invoke(lobe_codegen::module::Scope::Entry(index), arguments)?;
+    Ok(lowerer.b.finish(Vec::new()))
+}
+
+impl<'m> Lowerer<'m> {
+    fn new(module: &'m ValidModule) -> Res<Self> {
+        let count = module.module().global_variables.len();
+        let mut lowerer = Self {
+            module,
+            b: Builder::new(),
+            scan: Scan::of(module.module()),
+            variables: Vec::new(),
+            globals: vec![None; count],
+            exits: Vec::new(),
+            root: None,
+        };
+        lowerer.private_variables()?;
+        Ok(lowerer)
+    }
+
+    fn types(&self) -> Types<'m> {
+        Types(&self.module.module().types)
+    }
+
+    /// Zero of these kinds.
+    fn zeros(&mut self, scalars: &[Scalar]) -> Vec<Value> {
+        scalars.iter().map(|s| self.b.zero(*s)).collect()
+    }
+}
+
+fn malformed(what: &'static str) -> InterpError {
+    InterpError::Malformed(what)
+}

@@ -1,0 +1,49 @@
+//! Rewrites of programs, each a file; [`for_lanes`] is their order for the executor on lanes.
+//!
+//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`, `order` and
+//! `fuse` forget what a judge of decisions wants to know, and are for speed alone.
+
+mod dead;
+mod flatten;
+mod fold;
+mod fuse;
+mod order;
+mod uniform;
+
+pub(super) use uniform::{Masks, Owner};
+
+use super::program::{Block, Program, Reg, Stmt, Value};
+
+/// Prepares a program for the executor on lanes. `packed` says that a batch may hold several workgroups.
+pub(super) fn for_lanes(program: &mut Program, packed: bool) -> Masks {
+    dead::remove(program);
+    flatten::flatten(program);
+    fold::fold(program);
+    dead::remove(program);
+    uniform::classify(program, packed);
+    order::order(program);
+    fuse::fuse(program);
+    dead::remove(program);
+    uniform::classify(program, packed)
+}
+
+/// Calls `f` on each statement, outer ones first.
+fn walk<'a>(block: &'a Block, f: &mut impl FnMut(&'a Stmt)) {
+    for stmt in block {
+        f(stmt);
+        stmt.blocks().into_iter().flatten().for_each(|inner| walk(inner, f));
+    }
+}
+
+/// How often each register is read.
+fn uses(program: &Program) -> Vec<u32> {
+    let mut uses = vec![0; program.registers.len()];
+    let mut read = |value| {
+        if let Value::Reg(Reg(at)) = value {
+            uses[at as usize] += 1;
+        }
+    };
+    walk(&program.body, &mut |stmt| stmt.operands(&mut read));
+    program.results.iter().for_each(|v| read(*v));
+    uses
+}

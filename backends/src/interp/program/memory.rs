@@ -1,0 +1,57 @@
+//! Memory that programs address: of each lane, and shared.
+
+use super::Value;
+use naga::{GlobalVariable, Handle};
+
+/// Scalars of each lane that are indexed dynamically: a local or private variable.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LaneArray {
+    /// How many.
+    pub(crate) len: u32,
+    /// Whether they take 64 bits each: then all of them do.
+    pub(crate) wide: bool,
+}
+
+/// A buffer or a workgroup variable.
+#[derive(Debug, Clone)]
+pub(crate) struct Buffer {
+    /// The variable.
+    pub(crate) variable: Handle<GlobalVariable>,
+    /// Its name.
+    pub(crate) name: String,
+    /// Group and binding; `None` for workgroup memory.
+    pub(crate) binding: Option<(u32, u32)>,
+    /// Bytes that its type needs: of a runtime-sized array one element.
+    pub(crate) bytes: u32,
+    /// Whether the program writes it.
+    pub(crate) written: bool,
+    /// Whether shaders may write it, so that loads depend on when they happen.
+    pub(crate) writable: bool,
+}
+
+/// How many elements an index may choose from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Count {
+    /// As the type says.
+    Fixed(u32),
+    /// As many as the buffer holds behind `begin` bytes.
+    Runtime { buffer: u32, begin: u32 },
+}
+
+/// One scalar in memory; it always exists, since indices are clamped before they are scaled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Place {
+    /// Byte `offset + index` of a buffer.
+    Buffer { buffer: u32, offset: u32, index: Option<Value> },
+    /// Scalar `offset + index` of a lane array.
+    Lane { array: u32, offset: u32, index: Option<Value> },
+}
+
+impl Place {
+    /// The part of the address that is computed.
+    pub(crate) fn index(&self) -> Option<Value> {
+        match self {
+            Self::Buffer { index, .. } | Self::Lane { index, .. } => *index,
+        }
+    }
+}

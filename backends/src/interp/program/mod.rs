@@ -1,0 +1,269 @@
+//! Lowered programs: a function or an entry point as operations on scalars, with structured control flow.
+//!
+//! `lower` makes them from naga's IR, once; `passes` rewrite them; `fast` links them into code and runs it.
+//! Nothing here knows naga's expressions, lanes or instruction sets, so that a second executor, generic over
+//! what a number is, can run the same programs.
+//!
+//! - Vectors, matrices, arrays and structures are their scalars; calls are inlined; pointers are resolved.
+//! - A [`Value`] is a constant or a register. A register is computed by one statement ([`Stmt::Eval`],
+//!   [`Stmt::Atomic`]) in all lanes, needed or not, since operations are pure and total; or it is *kept*
+//!   across the rounds of a loop and assigned by [`Stmt::Set`], in the active lanes only.
+//! - Where two ways of a branch meet, [`Op::Select`] takes each lane's value from the arm that it took.
+//!   The other arm may not have run at all; what its registers then hold does not matter.
+//! - A register is *uniform* or *varying* (`passes::uniform`): the same in all lanes that a batch runs, or one
+//!   value a lane. Uniform values are computed once a batch.
+//!
+//! [`op`] is the table of operations, [`text`] prints programs for those who look for what went wrong.
+
+pub(crate) mod memory;
+pub(crate) mod op;
+pub(crate) mod text;
+
+pub(crate) use memory::{Buffer, Count, LaneArray, Place};
+pub(crate) use op::{Op, Scalar};
+
+use naga::Span;
+
+/// A register, by index into [`Program::registers`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Reg(pub(crate) u32);
+
+/// An operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Value {
+    /// Of [`Program::constants`].
+    Const(u32),
+    /// Computed.
+    Reg(Reg),
+}
+
+/// A number that is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Constant {
+    /// What it is.
+    pub(crate) scalar: Scalar,
+    /// Its bits as registers hold them: a boolean is all ones or zero, an f16 is held as f32.
+    pub(crate) bits: u64,
+    /// Of a float, the value that the source states, which `bits` may round.
+    pub(crate) exact: f64,
+}
+
+/// What is known of a register.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Register {
+    /// What it holds.
+    pub(crate) scalar: Scalar,
+    /// Whether lanes may differ in it.
+    pub(crate) varying: bool,
+}
+
+/// Where lanes that leave a construct meet again: its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Label(pub(crate) u32);
+
+/// Operands of an operation; none has more than four.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Args {
+    list: [Value; 4],
+    len: u8,
+}
+
+impl Args {
+    pub(crate) fn new(args: &[Value]) -> Self {
+        let mut list = [Value::Const(0); 4];
+        list[..args.len()].copy_from_slice(args);
+        Self { list, len: args.len() as u8 }
+    }
+}
+
+impl std::ops::Deref for Args {
+    type Target = [Value];
+    fn deref(&self) -> &[Value] {
+        &self.list[..usize::from(self.len)]
+    }
+}
+
+impl std::ops::DerefMut for Args {
+    fn deref_mut(&mut self) -> &mut [Value] {
+        &mut self.list[..usize::from(self.len)]
+    }
+}
+
+/// A pure operation and the register that takes its result.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Eval {
+    pub(crate) to: Reg,
+    pub(crate) op: Op,
+    pub(crate) args: Args,
+    /// Where the source has it.
+    #[expect(dead_code, reason = "findings and traces will name it")]
+    pub(crate) at: Span,
+}
+
+/// A sequence of statements.
+pub(crate) type Block = Vec<Stmt>;
+
+/// What a program does.
+#[derive(Debug, Clone)]
+pub(crate) enum Stmt {
+    /// Computes a register.
+    Eval(Eval),
+    /// Assigns a kept register in the active lanes.
+    Set { to: Reg, value: Value },
+    /// Writes memory in the active lanes, one after the other.
+    Store {
+        place: Place,
+        value: Value,
+        /// Where the source has it.
+        #[expect(dead_code, reason = "findings and traces will name it")]
+        at: Span,
+    },
+    /// Replaces a word of memory in the active lanes, one after the other; `old` takes what it was.
+    Atomic(Atomic),
+    /// The active lanes run one arm or the other.
+    If { condition: Value, accept: Block, reject: Block },
+    /// Repeats `body` until no lane is left in it; [`Stmt::Leave`] leaves. `function` names it in messages.
+    Loop { label: Label, body: Block, function: u32 },
+    /// Runs `body` once; lanes may leave it early.
+    Scope { label: Label, body: Block },
+    /// The active lanes go to the end of an enclosing loop or scope. The last statement of its block.
+    Leave(Label),
+    /// All invocations of the workgroup meet.
+    Barrier { function: u32 },
+}
+
+/// An atomic update of one 32- or 64-bit word.
+#[derive(Debug, Clone)]
+pub(crate) struct Atomic {
+    pub(crate) place: Place,
+    pub(crate) fun: Update,
+    pub(crate) value: Value,
+    /// Of a compare-exchange.
+    pub(crate) expected: Option<Value>,
+    /// Takes the former word.
+    pub(crate) old: Option<Reg>,
+    /// Where the source has it.
+    #[expect(dead_code, reason = "findings and traces will name it")]
+    pub(crate) at: Span,
+}
+
+/// What an atomic does with the former word and its operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Update {
+    Add,
+    Subtract,
+    And,
+    Xor,
+    Or,
+    Min,
+    Max,
+    Exchange,
+    /// Exchanges if the former word is the expected one.
+    CompareExchange,
+}
+
+/// A lowered function or entry point.
+#[derive(Debug, Clone)]
+pub(crate) struct Program {
+    /// The functions that were inlined, by the index that statements carry.
+    pub(crate) functions: Vec<String>,
+    pub(crate) registers: Vec<Register>,
+    pub(crate) constants: Vec<Constant>,
+    /// Memory of each lane that is indexed dynamically.
+    pub(crate) arrays: Vec<LaneArray>,
+    /// Memory that lanes share.
+    pub(crate) buffers: Vec<Buffer>,
+    pub(crate) body: Block,
+    /// The result's scalars.
+    pub(crate) results: Vec<Value>,
+    /// Whether invocations of a workgroup depend on each other: barriers, workgroup memory.
+    pub(crate) cooperative: bool,
+}
+
+impl Program {
+    /// What a value is.
+    pub(crate) fn scalar(&self, value: Value) -> Scalar {
+        match value {
+            Value::Const(id) => self.constants[id as usize].scalar,
+            Value::Reg(reg) => self.registers[reg.0 as usize].scalar,
+        }
+    }
+
+    /// Whether lanes may differ in it.
+    pub(crate) fn varying(&self, value: Value) -> bool {
+        match value {
+            Value::Const(_) => false,
+            Value::Reg(reg) => self.registers[reg.0 as usize].varying,
+        }
+    }
+}
+
+impl Stmt {
+    /// Calls `f` on each operand of this statement itself, not of those within it.
+    pub(crate) fn operands(&self, f: &mut impl FnMut(Value)) {
+        let place = |p: &Place, f: &mut dyn FnMut(Value)| p.index().into_iter().for_each(f);
+        match self {
+            Self::Eval(eval) => {
+                eval.args.iter().for_each(|a| f(*a));
+                if let Some(p) = eval.op.place() {
+                    place(&p, f);
+                }
+            }
+            Self::Set { value, .. } => f(*value),
+            Self::Store { place: p, value, .. } => {
+                place(p, f);
+                f(*value);
+            }
+            Self::Atomic(atomic) => {
+                place(&atomic.place, f);
+                f(atomic.value);
+                atomic.expected.into_iter().for_each(f);
+            }
+            Self::If { condition, .. } => f(*condition),
+            Self::Loop { .. } | Self::Scope { .. } | Self::Leave(_) | Self::Barrier { .. } => {}
+        }
+    }
+
+    /// The register that it computes or assigns.
+    pub(crate) fn target(&self) -> Option<Reg> {
+        match self {
+            Self::Eval(eval) => Some(eval.to),
+            Self::Set { to, .. } => Some(*to),
+            Self::Atomic(atomic) => atomic.old,
+            Self::Store { .. }
+            | Self::If { .. }
+            | Self::Loop { .. }
+            | Self::Scope { .. }
+            | Self::Leave(_)
+            | Self::Barrier { .. } => None,
+        }
+    }
+
+    /// The blocks within it.
+    pub(crate) fn blocks(&self) -> [Option<&Block>; 2] {
+        match self {
+            Self::If { accept, reject, .. } => [Some(accept), Some(reject)],
+            Self::Loop { body, .. } | Self::Scope { body, .. } => [Some(body), None],
+            Self::Eval(_)
+            | Self::Set { .. }
+            | Self::Store { .. }
+            | Self::Atomic(_)
+            | Self::Leave(_)
+            | Self::Barrier { .. } => [None, None],
+        }
+    }
+
+    /// The blocks within it, to be changed.
+    pub(crate) fn blocks_mut(&mut self) -> [Option<&mut Block>; 2] {
+        match self {
+            Self::If { accept, reject, .. } => [Some(accept), Some(reject)],
+            Self::Loop { body, .. } | Self::Scope { body, .. } => [Some(body), None],
+            Self::Eval(_)
+            | Self::Set { .. }
+            | Self::Store { .. }
+            | Self::Atomic(_)
+            | Self::Leave(_)
+            | Self::Barrier { .. } => [None, None],
+        }
+    }
+}
