@@ -1,13 +1,15 @@
 //! The native form of every intrinsic: strict IEEE f32, the same on every machine.
 //!
 //! The interpreter calls these same functions, so `native` and `interp` agree bit for bit.
-//! Elementary functions are evaluated in f64 by the pure Rust `libm` and rounded once: at most
-//! 0.5 ULP and a hair, and independent of the platform's C library.
+//! `exp` and `log` are our own ([`elementary`]), at most 1 ULP, and become vector code; the other
+//! elementary functions are evaluated in f64 by the pure Rust `libm` and rounded once: at most 0.5 ULP and a hair.
+//! Neither depends on the platform's C library.
 //!
 //! [`scalar`] holds one lane's arithmetic, [`generic`] the functions that kernels call (any width),
 //! [`vector`] the geometric ones, [`bits`] integers and atomics.
 
 pub mod bits;
+pub mod elementary;
 pub mod generic;
 pub mod scalar;
 pub mod vector;

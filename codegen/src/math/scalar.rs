@@ -1,5 +1,7 @@
 //! One f32 lane: what each operation returns, including at NaN, infinities and signed zeros.
 
+pub use super::elementary::{exp, log};
+
 macro_rules! by_libm {
     ($($(#[$doc:meta])* $name:ident => $f:path;)*) => {
         $(
@@ -12,12 +14,8 @@ macro_rules! by_libm {
 }
 
 by_libm! {
-    /// `e^x`
-    exp => libm::exp;
     /// `2^x`
     exp2 => libm::exp2;
-    /// Natural logarithm.
-    log => libm::log;
     /// Logarithm of base 2.
     log2 => libm::log2;
     /// Sine of radians.
