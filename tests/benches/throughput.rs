@@ -79,7 +79,7 @@ fn lights() -> Case {
 }
 
 fn hsg() -> Case {
-    let items = 4_000_000;
+    let items = 2_500_000; // 48 bytes each: what a driver binds at once
     let module = lobe_codegen::lower(&lobe_codegen::kernels![lobe_kernels::hsg::hsg_cosine_product_integral]);
     let module = module.unwrap_or_else(|e| panic!("{e}"));
     let target = lobe_codegen::emit::Target::Wgsl;
