@@ -1,7 +1,7 @@
 //! Entry points: workgroups, barriers, atomics, buffers.
 
 use crate::support::module;
-use lobe_backends::interp::{Buffer, InterpError, Interpreter};
+use lobe_backends::interp::{Buffer, InterpError, Interpreter, Isa};
 
 fn buffer(binding: u32, words: &[u32]) -> Buffer {
     Buffer { group: 0, binding, data: words.iter().flat_map(|w| w.to_le_bytes()).collect() }
@@ -135,4 +135,61 @@ fn a_missing_or_short_buffer_is_named() {
         Interpreter::new(&module(REDUCE)).unwrap().run(3, [1, 1, 1], &mut []),
         Err(InterpError::NoEntryPoint(3))
     );
+}
+
+/// What a dispatch leaves is the same each time and on each instruction set.
+fn settled(text: &str, groups: [u32; 3], buffers: &[Buffer]) -> Vec<Vec<u32>> {
+    let module = module(text);
+    let mut left: Option<Vec<Vec<u32>>> = None;
+    for isa in Isa::available() {
+        for _ in 0..20 {
+            let mut ran = buffers.to_vec();
+            Interpreter::new(&module).unwrap().with_isa(isa).run(0, groups, &mut ran).unwrap();
+            let ran: Vec<_> = ran.iter().map(words).collect();
+            assert!(left.as_ref().is_none_or(|left| *left == ran), "{isa} left something else\n{text}");
+            left = Some(ran);
+        }
+    }
+    left.unwrap()
+}
+
+#[test]
+fn the_last_writer_of_a_place_is_the_last_invocation() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) {
+            out[id.x % 64u] = id.x;
+        }";
+    let left = settled(text, [1000, 1, 1], &[buffer(0, &[0; 64])]);
+    assert_eq!(left[0], (63_936..64_000).collect::<Vec<_>>());
+    let mut walked = [buffer(0, &[0; 64])];
+    Interpreter::new(&module(text)).unwrap().run_walking(0, [1000, 1, 1], &mut walked).unwrap();
+    assert_eq!(words(&walked[0]), left[0]);
+}
+
+/// Indices are clamped: invocations beyond the array write its last element, the last one last.
+#[test]
+fn invocations_beyond_an_array_share_its_last_element_in_order() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) { out[id.x] = id.x; }";
+    for (groups, length) in [(1000, 6000), (1000, 64_000), (3, 5)] {
+        let left = settled(text, [groups, 1, 1], &[buffer(0, &vec![0; length])]);
+        let mut expected: Vec<u32> = (0..length as u32).collect();
+        expected[length - 1] = (groups * 64 - 1).max(length as u32 - 1);
+        assert_eq!(left[0], expected);
+    }
+}
+
+#[test]
+fn workgroups_beyond_an_array_come_last() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        var<workgroup> sum: atomic<u32>;
+        @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) {
+            atomicAdd(&sum, id.x);
+            workgroupBarrier();
+            out[id.x] = out[id.x] * 3u + atomicLoad(&sum);
+        }";
+    settled(text, [300, 1, 1], &[buffer(0, &[1; 5000])]);
 }

@@ -2,15 +2,15 @@
 //!
 //! Invocations that do not depend on each other are batches of consecutive ones, whatever workgroup they are
 //! in. Where a workgroup has barriers or memory of its own, its batches run in turn from barrier to barrier.
-//! Batches and workgroups run on all threads if their order cannot show in the buffers, else one after the
-//! other.
+//! Batches and workgroups run on all threads as far as their order cannot show in the buffers, the rest one after
+//! the other.
 #![allow(unsafe_code, reason = "buffers are shared by threads")]
 
 mod order;
 
 use super::super::dispatch::Buffer;
 use super::super::error::{InterpError, Res};
-use super::super::program::Program;
+use super::super::program::{Count, Program};
 use super::machine::{Bound, Machine, Position};
 use super::{Code, LANES, Stop};
 use rayon::prelude::*;
@@ -30,6 +30,19 @@ struct Memory(Vec<Bound>);
 // SAFETY: the bytes outlive the dispatch; threads write them at the same time only if no order can show
 // (`order`), by atomics or at places of their own.
 unsafe impl Sync for Memory {}
+
+impl Memory {
+    /// Length of the shortest of these arrays.
+    fn shortest(&self, arrays: &[order::Elements]) -> usize {
+        let length = |array: &order::Elements| match array.count {
+            Count::Fixed(count) => count as usize,
+            Count::Runtime { buffer, begin } => {
+                self.0[buffer as usize].len.saturating_sub(begin as usize) / array.stride.max(1) as usize
+            }
+        };
+        arrays.iter().map(length).min().unwrap_or(usize::MAX)
+    }
+}
 
 /// The bytes of a buffer where atomics can use them.
 struct Aligned {
@@ -85,12 +98,12 @@ impl Dispatch<'_> {
         let run = |range: Range<usize>| {
             if cooperative { self.workgroups(memory, range) } else { self.batches(memory, range) }
         };
-        if !order::free(&self.code.program, line) {
-            return run(0..total);
-        }
-        let share = total.div_ceil(rayon::current_num_threads() * 4).next_multiple_of(step).max(step);
-        let chunks: Vec<_> = (0..total).step_by(share).map(|at| at..total.min(at + share)).collect();
-        chunks.into_par_iter().map(run).collect()
+        let free = order::free(&self.code.program, line).map_or(0, |arrays| memory.shortest(&arrays));
+        let free = total.min(if cooperative { free / self.volume().max(1) } else { free });
+        let share = free.div_ceil(rayon::current_num_threads() * 4).next_multiple_of(step).max(step);
+        let chunks: Vec<_> = (0..free).step_by(share).map(|at| at..free.min(at + share)).collect();
+        chunks.into_par_iter().map(run).collect::<Res<()>>()?;
+        run(free..total)
     }
 
     /// Invocations of a workgroup.
