@@ -3,6 +3,8 @@
 #[path = "interp/support.rs"]
 mod support;
 
+#[path = "interp/chance.rs"]
+mod chance;
 #[path = "interp/conformance.rs"]
 mod conformance;
 #[path = "interp/control.rs"]

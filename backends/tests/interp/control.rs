@@ -182,3 +182,29 @@ fn selections_are_per_component() {
         12
     );
 }
+
+/// Variables of a loop that take each other's values at once, early, late and in nested rounds.
+#[test]
+fn variables_of_a_loop_change_places() {
+    let bodies = [
+        "let t = a; a = b; b = t;",
+        "let t = a; a = b; b = c; c = t;",
+        "let t = a * 2.0; a = a + 1.0; b = t + b;",
+        "let t = a * 2.0; if i % 3u == x { a = b; b = t; continue; } b = t - b; a = b * t + c;",
+        "let t = a; if i == x { break; } a = b; if i % 2u == 1u { b = t; } else { b = c; c = t; }",
+        "for (var j = 0u; j < x; j++) { let t = a; a = b + 0.5; b = t; if j > 2u { break; } } c = a - b * c;",
+        "switch i % 4u { case 0u: { a = b; } case 1u, 2u: { let t = b; b = a; a = t; } default: { continue; } }",
+    ];
+    let rows: Vec<u32> = (0..300).map(|i| i % 7).collect();
+    let numbers: Vec<u32> = (0..300).map(|i| (i as f32 * 0.37 - 20.0).to_bits()).collect();
+    for body in bodies {
+        let text = format!(
+            "fn f(x: u32, y: f32) -> vec3<f32> {{
+                var a = y; var b = 2.0; var c = 3.0;
+                for (var i = 0u; i < x + 3u; i++) {{ {body} }}
+                return vec3(a, b, c);
+            }}"
+        );
+        call(&text, &columns(&[rows.clone(), numbers.clone()]));
+    }
+}
