@@ -198,7 +198,7 @@ impl<'m> Interpreter<'m> {
         self.shadowed(f, args, exact, shadow::Shadow::default)
     }
 
-    /// The same at a third of the cost, with bounds that do not know which numbers share an error: for exact values.
+    /// The same without the tape, so cheaper, with bounds that do not know which numbers share an error: for exact values.
     ///
     /// # Errors
     /// As [`Interpreter::shadow`].

@@ -119,6 +119,11 @@ impl Float {
         self.low == self.high
     }
 
+    /// Whether the tape has it.
+    fn is_placed(self) -> bool {
+        self.place != Place::NONE
+    }
+
     /// Whether a driver may have zero in place of this number.
     fn may_flush(self) -> bool {
         self.low < MIN_NORMAL && self.high > -MIN_NORMAL && !(self.low == 0.0 && self.high == 0.0)
@@ -143,7 +148,9 @@ impl Shadow {
     /// Puts `result` of an operation on the tape, with its own error and what it owes to its operands.
     fn link(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
         let number = self.tape.borrow_mut().record(result, own, operands);
-        if number.is_wide() { self.tightened(number) } else { number }
+        // Of one operand the interval knows as much as the tape.
+        let meet = operands.iter().all(|(operand, slope)| operand.is_placed() && !slope.is_zero());
+        if meet && number.is_wide() { self.tightened(number) } else { number }
     }
 
     /// The same for a product.

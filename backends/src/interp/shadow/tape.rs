@@ -59,7 +59,7 @@ impl Slope {
         self.low.is_finite() && self.high.is_finite()
     }
 
-    fn is_zero(self) -> bool {
+    pub(super) fn is_zero(self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 
@@ -107,7 +107,7 @@ pub(super) struct Tape {
 
 impl Default for Tape {
     fn default() -> Self {
-        Self::with_capacity(1 << 20) // 64 MiB
+        Self::with_capacity(1 << 20) // 56 MiB
     }
 }
 

@@ -4,7 +4,7 @@
 //! operations that IEEE 754 rounds correctly occur, in a fixed order, the bits are the same everywhere.
 //! Selects stand where others branch; what an unselected side computes does not matter.
 //! Results and arguments below the smallest normal number are flushed where a function says so: the shading
-//! languages permit it, and processors slow down a hundredfold there.
+//! languages permit it, and processors are slow there.
 //!
 //! Polynomials were fitted by weighted least squares, iterated towards the smallest largest error.
 //! `benches/elementary.rs` measures errors over all floats.
