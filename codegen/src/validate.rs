@@ -68,30 +68,52 @@ impl ValidateError {
     }
 }
 
-/// Validates `module`; `meta` travels along.
+/// Validates `module`, which needs nothing beyond what every device has; `meta` travels along.
 ///
 /// # Errors
 /// When the module is refused, or naga panics on it.
 pub fn validate(module: naga::Module, meta: Meta) -> Result<ValidModule, ValidateError> {
+    with(module, meta, Capabilities::empty())
+}
+
+/// Validates a module of somebody else's, which may use whatever naga knows: wide and narrow numbers, subgroups, ...
+///
+/// # Errors
+/// When the module is refused, or naga panics on it.
+pub fn foreign(module: naga::Module) -> Result<ValidModule, ValidateError> {
+    with(module, Meta::default(), Capabilities::all())
+}
+
+fn with(module: naga::Module, meta: Meta, capabilities: Capabilities) -> Result<ValidModule, ValidateError> {
     let info = guarded("validator", || {
-        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(Box::new)
+        Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(Box::new)
     })?
     .map_err(ValidateError::Invalid)?;
     scope::check(&module)?;
     Ok(ValidModule::new(module, info, meta))
 }
 
-/// Parses and validates WGSL text; its doc comments (`///`) travel along.
+/// Parses and [validates](validate) WGSL text; its doc comments (`///`) travel along.
 ///
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
+    validate(parsed(text)?, Meta::default())
+}
+
+/// Parses WGSL text of somebody else's and validates it as [`foreign`].
+///
+/// # Errors
+/// When naga's front end or validator refuses the text; the message shows the line and caret.
+pub fn foreign_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
+    foreign(parsed(text)?)
+}
+
+fn parsed(text: &str) -> Result<naga::Module, ValidateError> {
     let options =
         naga::front::wgsl::Options { parse_doc_comments: true, ..naga::front::wgsl::Options::new() };
-    let module =
-        guarded("WGSL front end", || naga::front::wgsl::Frontend::new_with_options(options).parse(text))?
-            .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))?;
-    validate(module, Meta::default())
+    guarded("WGSL front end", || naga::front::wgsl::Frontend::new_with_options(options).parse(text))?
+        .map_err(|e| ValidateError::Parse(e.emit_to_string(text)))
 }
 
 /// A panic of naga as an error.
