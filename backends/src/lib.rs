@@ -13,4 +13,5 @@ pub mod gpu;
 pub mod interp;
 pub mod route;
 pub mod routes;
+pub mod texture;
 pub mod translate;

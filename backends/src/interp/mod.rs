@@ -33,12 +33,14 @@ mod model;
 mod passes;
 mod perturbed;
 mod program;
+mod resources;
 mod shadow;
 mod strict;
 
 pub use dispatch::Buffer;
 pub use error::InterpError;
 pub use fast::Isa;
+pub use resources::{BoundSampler, BoundTexture, Resources};
 
 use batch::Batch;
 use lobe_codegen::ValidModule;
@@ -228,15 +230,20 @@ impl<'m> Interpreter<'m> {
         Ok(out)
     }
 
-    /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers are updated
-    /// in place.
+    /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers and textures are
+    /// updated in place. `resources` is [`Resources`], or a list of buffers.
     ///
     /// The invocations of a workgroup run in lockstep, workgroups one after the other.
     ///
     /// # Errors
-    /// When there is no such entry point, a buffer lacks or is too small, the entry point does something that
-    /// the interpreter does not execute, a barrier is not uniform, or a loop does not end.
-    pub fn run(&self, entry: usize, groups: [u32; 3], buffers: &mut [Buffer]) -> Result<(), InterpError> {
+    /// When there is no such entry point, a resource lacks or does not fit its variable, the entry point does
+    /// something that the interpreter does not execute, a barrier is not uniform, or a loop does not end.
+    pub fn run<'a>(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        resources: impl Into<Resources<'a>>,
+    ) -> Result<(), InterpError> {
         let point = self.module.module().entry_points.get(entry).ok_or(InterpError::NoEntryPoint(entry))?;
         if point.stage != naga::ShaderStage::Compute || point.workgroup_size_overrides.is_some() {
             let what = "an entry point that is no compute shader of fixed workgroup size".to_owned();
@@ -247,6 +254,6 @@ impl<'m> Interpreter<'m> {
         let code = fast::Code::new(program, packed, self.isa)?;
         let dispatch =
             fast::dispatch::Dispatch { code: &code, size: point.workgroup_size, groups, fuel: self.fuel };
-        dispatch.run(buffers)
+        dispatch.run(resources.into().buffers)
     }
 }
