@@ -13,6 +13,7 @@ extern crate self as lobe_codegen;
 pub mod data;
 pub mod def;
 pub mod emit;
+pub mod foreign;
 mod guard;
 pub mod intrinsics;
 pub mod layout;

@@ -9,23 +9,37 @@
 use super::{EmitError, Options, Target, guarded, mark, tidy};
 use crate::ValidModule;
 use naga::back::hlsl;
+use naga::valid::ModuleInfo;
 
 /// Writes the module as HLSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     refuse_group_count(module)?;
     let marked = mark::mark(module.module());
-    let raw = guarded(Target::Hlsl, || {
+    let (raw, _) = translate(&marked.module, module.info(), &settings())?;
+    tidy::finish(module.module(), &marked.marks, &raw, Target::Hlsl, options)
+}
+
+/// The module as naga has it, indices kept inside their arrays, with the names of its entry points.
+pub(super) fn plain(module: &ValidModule) -> Result<(String, Vec<String>), EmitError> {
+    refuse_group_count(module)?;
+    let settings = hlsl::Options { restrict_indexing: true, ..settings() };
+    translate(module.module(), module.info(), &settings)
+}
+
+fn translate(
+    module: &naga::Module,
+    info: &ModuleInfo,
+    settings: &hlsl::Options,
+) -> Result<(String, Vec<String>), EmitError> {
+    let (raw, names) = guarded(Target::Hlsl, || {
         let mut raw = String::new();
-        let settings = settings();
         let all_entries = hlsl::PipelineOptions { entry_point: None };
-        let mut writer = hlsl::Writer::new(&mut raw, &settings, &all_entries);
-        let written = writer.write(&marked.module, module.info(), None).map_err(|e| e.to_string())?;
-        match written.entry_point_names.into_iter().find_map(Result::err) {
-            Some(error) => Err(error.to_string()),
-            None => Ok(raw),
-        }
+        let mut writer = hlsl::Writer::new(&mut raw, settings, &all_entries);
+        let written = writer.write(module, info, None).map_err(|e| e.to_string())?;
+        let names: Result<Vec<_>, _> = written.entry_point_names.into_iter().collect();
+        names.map(|names| (raw, names)).map_err(|e| e.to_string())
     })?;
-    tidy::finish(module.module(), &marked.marks, &mend_setters(&raw), Target::Hlsl, options)
+    Ok((mend_setters(&raw), names))
 }
 
 /// HLSL has no input for the number of workgroups; naga reads it from a constant buffer that the host must

@@ -18,6 +18,7 @@ mod docs;
 pub mod entry;
 mod hlsl;
 mod mark;
+mod plain;
 pub mod reflect;
 mod rename;
 mod scan;
@@ -28,6 +29,7 @@ mod wgsl;
 
 pub use clash::ClashError;
 pub use entry::{EntryLayout, with_entries, with_entry};
+pub use plain::{Plain, plain};
 pub use reflect::{Reflection, reflect};
 
 use crate::ValidModule;

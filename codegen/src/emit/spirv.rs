@@ -7,6 +7,7 @@
 use super::{EmitError, Target, guarded};
 use crate::ValidModule;
 use naga::back::spv;
+use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use std::collections::{HashMap, HashSet};
 
 /// Writes the module as SPIR-V.
@@ -14,14 +15,40 @@ pub(super) fn write(module: &ValidModule) -> Result<Vec<u32>, EmitError> {
     if module.module().entry_points.is_empty() {
         return Err(EmitError::NoEntry);
     }
-    let settings = spv::Options {
+    translate(module, &settings(), None)
+}
+
+/// The compute entry point `entry` alone, whose accesses stay inside their buffers and arrays.
+pub(super) fn plain(module: &ValidModule, entry: &str) -> Result<Vec<u32>, EmitError> {
+    let restrict = BoundsCheckPolicy::Restrict;
+    let policies = BoundsCheckPolicies {
+        index: restrict,
+        buffer: restrict,
+        image_load: restrict,
+        binding_array: restrict,
+    };
+    let settings = spv::Options { bounds_check_policies: policies, ..settings() };
+    let only =
+        spv::PipelineOptions { shader_stage: naga::ShaderStage::Compute, entry_point: entry.to_owned() };
+    translate(module, &settings, Some(&only))
+}
+
+fn settings() -> spv::Options<'static> {
+    spv::Options {
         lang_version: (1, 3),
         flags: spv::WriterFlags::DEBUG,
         zero_initialize_workgroup_memory: spv::ZeroInitializeWorkgroupMemoryMode::Polyfill,
         force_loop_bounding: false,
         ..spv::Options::default()
-    };
-    let words = guarded(Target::Spirv, || spv::write_vec(module.module(), module.info(), &settings, None))?;
+    }
+}
+
+fn translate(
+    module: &ValidModule,
+    settings: &spv::Options,
+    only: Option<&spv::PipelineOptions>,
+) -> Result<Vec<u32>, EmitError> {
+    let words = guarded(Target::Spirv, || spv::write_vec(module.module(), module.info(), settings, only))?;
     Ok(without_workgroup_layout(words))
 }
 

@@ -1,0 +1,86 @@
+//! A module of somebody else's as a driver shall run it: naga's writers, and nothing mended but what is wrong.
+//!
+//! Names are of no matter here, so none is kept or refused but the entry point's.
+//! What lies outside a buffer or an array is nobody's own affair: every access is kept inside.
+
+use super::{Content, EmitError, Target, guarded, hlsl, spirv};
+use crate::ValidModule;
+use naga::ShaderStage;
+use naga::back::wgsl::{WriterFlags, write_string};
+
+/// What WGSL's entry point is called: naga would change some names, and does not say into what.
+const ENTRY: &str = "lobe_entry";
+
+/// A module written for running.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Plain {
+    /// The text or the words.
+    pub content: Content,
+    /// What its entry point is called there.
+    pub entry: String,
+}
+
+/// Writes `module` for `target`, for running its compute entry point `entry`.
+///
+/// # Errors
+/// When there is no such entry point, or the target cannot express the module.
+pub fn plain(module: &ValidModule, target: Target, entry: &str) -> Result<Plain, EmitError> {
+    let is_meant = |p: &naga::EntryPoint| p.stage == ShaderStage::Compute && p.name == entry;
+    let index = module.module().entry_points.iter().position(is_meant).ok_or(EmitError::NoEntry)?;
+    match target {
+        Target::Spirv => {
+            let words = spirv::plain(module, entry)?;
+            Ok(Plain { content: Content::Words(words), entry: entry.to_owned() })
+        }
+        Target::Hlsl => {
+            let (text, mut names) = hlsl::plain(module)?;
+            Ok(Plain { content: Content::Text(text), entry: names.swap_remove(index) })
+        }
+        Target::Wgsl => {
+            let mut renamed = module.module().clone();
+            renamed.entry_points[index].name = ENTRY.to_owned();
+            let write = || write_string(&renamed, module.info(), WriterFlags::empty());
+            Ok(Plain { content: Content::Text(guarded(target, write)?), entry: ENTRY.to_owned() })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validate::foreign_wgsl;
+
+    const TEXT: &str = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        fn pass_(x: u32) -> u32 { return x; }
+        @compute @workgroup_size(1) fn other() { out[0] = 1u; }
+        @compute @workgroup_size(1) fn sampler_2(@builtin(global_invocation_id) id: vec3u) { out[id.x] = pass_(2u); }
+    ";
+
+    #[test]
+    fn the_entry_point_is_found_under_the_name_given() {
+        let module = foreign_wgsl(TEXT).unwrap();
+        let written = |target| plain(&module, target, "sampler_2").unwrap();
+        let wgsl = written(Target::Wgsl);
+        assert!(wgsl.content.text().is_some_and(|t| t.contains(&format!("fn {}(", wgsl.entry))));
+        let hlsl = written(Target::Hlsl);
+        assert!(hlsl.content.text().is_some_and(|t| t.contains(&format!("void {}(", hlsl.entry))));
+        assert_eq!(written(Target::Spirv).entry, "sampler_2");
+    }
+
+    #[test]
+    fn an_access_stays_inside_its_buffer() {
+        let module = foreign_wgsl(TEXT).unwrap();
+        let Content::Words(words) = plain(&module, Target::Spirv, "sampler_2").unwrap().content else {
+            panic!("words");
+        };
+        const OP_ARRAY_LENGTH: u32 = 68;
+        assert!(words.iter().any(|w| w & 0xffff == OP_ARRAY_LENGTH && w >> 16 == 5));
+    }
+
+    #[test]
+    fn an_entry_point_that_is_not_there_is_refused() {
+        let module = foreign_wgsl(TEXT).unwrap();
+        assert!(matches!(plain(&module, Target::Wgsl, "main"), Err(EmitError::NoEntry)));
+    }
+}
