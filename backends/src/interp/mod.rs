@@ -34,6 +34,7 @@ mod passes;
 mod perturbed;
 mod program;
 mod resources;
+mod scalar;
 mod shadow;
 mod strict;
 

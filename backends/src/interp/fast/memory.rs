@@ -7,6 +7,11 @@
     reason = "lanes of several operands side by side, as the vectoriser likes them"
 )]
 
+mod atomics;
+mod narrow;
+
+pub(super) use atomics::number;
+
 use super::super::program::op::Input;
 use super::super::program::{Scalar, Update};
 use super::machine::{Bound, Lane, Machine};
@@ -392,14 +397,14 @@ pub(super) fn index<const N: usize>(index: bool, base: bool, isa: Isa) -> Exec<N
     }
 }
 
-pub(super) fn load<const N: usize>(scalar: Scalar, index: bool, isa: Isa) -> Option<Exec<N>> {
-    Some(match (scalar, index) {
-        (Scalar::F16, _) => return None,
+pub(super) fn load<const N: usize>(scalar: Scalar, index: bool, isa: Isa) -> Exec<N> {
+    match (scalar, index) {
+        (s, _) if s.bytes() == 2 => narrow::load(s, index),
         (s, true) if s.wide() => exec::<Load<u64>, N>(isa),
         (s, false) if s.wide() => exec::<LoadSame<u64>, N>(isa),
         (_, true) => exec::<Load<u32>, N>(isa),
         (_, false) => exec::<LoadSame<u32>, N>(isa),
-    })
+    }
 }
 
 // From here on steps go lane by lane: wider vectors would not help.
@@ -413,11 +418,11 @@ fn store_of<T: Lane, const N: usize>(index: bool, value: bool) -> Exec<N> {
     }
 }
 
-pub(super) fn store<const N: usize>(scalar: Scalar, index: bool, value: bool) -> Option<Exec<N>> {
+pub(super) fn store<const N: usize>(scalar: Scalar, index: bool, value: bool) -> Exec<N> {
     match scalar {
-        Scalar::F16 => None,
-        s if s.wide() => Some(store_of::<u64, N>(index, value)),
-        _ => Some(store_of::<u32, N>(index, value)),
+        s if s.bytes() == 2 => narrow::store(s, index, value),
+        s if s.wide() => store_of::<u64, N>(index, value),
+        _ => store_of::<u32, N>(index, value),
     }
 }
 
@@ -449,10 +454,10 @@ pub(super) fn lane_store<const N: usize>(scalar: Scalar, wide: bool, [index, val
     }
 }
 
-/// None yet for 64 bits.
+/// `None` of types that have no atomics.
 pub(super) fn atomic<const N: usize>(scalar: Scalar, fun: Update) -> Option<Exec<N>> {
     if scalar.wide() || scalar.float() {
-        return None;
+        return atomics::atomic(scalar);
     }
     Some(match fun {
         Update::Add => exec::<Atomic<0>, N>(Isa::Portable),

@@ -10,6 +10,10 @@
     reason = "lanes of several operands side by side, as the vectoriser likes them"
 )]
 
+mod plain;
+
+pub(super) use plain::{one_plain, plain, three_plain, two_plain};
+
 use super::machine::{Lane, Machine};
 use super::{Inst, Isa};
 use std::marker::PhantomData;

@@ -53,7 +53,9 @@ impl<'m> Lowerer<'m> {
     fn scalar_binary(&mut self, op: BinaryOperator, a: Value, b: Value) -> Res<Value> {
         match self.b.scalar(a) {
             Scalar::F32 | Scalar::F16 | Scalar::F64 => self.float_binary(op, a, b),
-            Scalar::I32 | Scalar::U32 | Scalar::I64 | Scalar::U64 => self.int_binary(op, a, b),
+            Scalar::I16 | Scalar::U16 | Scalar::I32 | Scalar::U32 | Scalar::I64 | Scalar::U64 => {
+                self.int_binary(op, a, b)
+            }
             Scalar::Bool => self.bool_binary(op, a, b),
         }
     }
@@ -98,8 +100,8 @@ impl<'m> Lowerer<'m> {
             O::And => self.b.int_op(IntOp::And, &[a, b]),
             O::ExclusiveOr => self.b.int_op(IntOp::Xor, &[a, b]),
             O::InclusiveOr => self.b.int_op(IntOp::Or, &[a, b]),
-            O::ShiftLeft => self.b.int_op(IntOp::Shl, &[a, b]),
-            O::ShiftRight => self.b.int_op(IntOp::Shr, &[a, b]),
+            O::ShiftLeft => self.shift(IntOp::Shl, a, b),
+            O::ShiftRight => self.shift(IntOp::Shr, a, b),
             O::Equal => self.compare(Comparison::Equal, a, b),
             O::NotEqual => self.compare(Comparison::NotEqual, a, b),
             O::Less => self.compare(Comparison::Less, a, b),
@@ -108,6 +110,12 @@ impl<'m> Lowerer<'m> {
             O::GreaterEqual => self.compare(Comparison::LessEqual, b, a),
             O::LogicalAnd | O::LogicalOr => return Err(malformed("integers have no logical operators")),
         })
+    }
+
+    /// The count is of any width outside of WGSL.
+    fn shift(&mut self, op: IntOp, a: Value, by: Value) -> Value {
+        let by = self.converted(by, Scalar::U32);
+        self.b.int_op(op, &[a, by])
     }
 
     fn bool_binary(&mut self, op: BinaryOperator, a: Value, b: Value) -> Res<Value> {

@@ -5,6 +5,7 @@ use super::super::program::{
     Args, Block, Constant, Count, Eval, Label, LaneArray, Op, Place, Program, Reg, Register, Scalar, Stmt,
     Value,
 };
+use super::super::scalar::eval::eval;
 use naga::Span;
 use std::collections::HashMap;
 
@@ -131,6 +132,9 @@ impl Builder {
 
     /// Computes `op` of `args`, unless that is known.
     pub(crate) fn eval(&mut self, op: Op, args: &[Value]) -> Value {
+        if let Some(known) = self.folded(op, args) {
+            return known;
+        }
         let args = Args::new(args);
         if let Some(reg) = self.seen.get(&(op, args)) {
             return Value::Reg(*reg);
@@ -140,6 +144,31 @@ impl Builder {
         self.log.push((op, args));
         self.push(Stmt::Eval(Eval { to, op, args, at: self.at }));
         Value::Reg(to)
+    }
+
+    /// The result of an exact operation on constants. Those on floats stay: their errors are what others look for.
+    fn folded(&mut self, op: Op, args: &[Value]) -> Option<Value> {
+        let exact = match op {
+            Op::Int(..) | Op::Logic(_) => true,
+            Op::Compare(scalar, _) => !scalar.float(),
+            Op::Convert(from, to) | Op::Bitcast(from, to) => !from.float() && !to.float(),
+            Op::Copy(_)
+            | Op::Input(..)
+            | Op::Float(..)
+            | Op::IsNan(_)
+            | Op::IsInf(_)
+            | Op::Select(_)
+            | Op::Exponent(_)
+            | Op::Ldexp(_)
+            | Op::Index { .. }
+            | Op::Length { .. }
+            | Op::Load { .. }
+            | Op::Fused { .. } => false,
+        };
+        let known = args.iter().map(|a| self.known(*a)).collect::<Option<Vec<_>>>().filter(|_| exact)?;
+        let bits = eval(op, &known)?;
+        let exact = f64::from_bits(eval(Op::Convert(op.result(), Scalar::F64), &[bits])?);
+        Some(self.bits(op.result(), bits, exact))
     }
 
     /// An operation on floats; a number times itself is a square.

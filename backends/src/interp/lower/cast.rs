@@ -23,10 +23,18 @@ impl<'m> Lowerer<'m> {
         let width = convert.unwrap_or(from.bytes() as Bytes);
         let to = layout::scalar(naga::Scalar { kind, width })?;
         let bits = convert.is_none() && from != Scalar::Bool && to != Scalar::Bool;
-        Ok(match (from == to, bits) {
-            (true, _) => value,
-            (false, true) => self.b.eval(Op::Bitcast(from, to), &[value]),
-            (false, false) => self.b.eval(Op::Convert(from, to), &[value]),
-        })
+        Ok(if bits { self.reinterpreted(value, to) } else { self.converted(value, to) })
+    }
+
+    /// The number as one of another type.
+    pub(crate) fn converted(&mut self, value: Value, to: Scalar) -> Value {
+        let from = self.b.scalar(value);
+        if from == to { value } else { self.b.eval(Op::Convert(from, to), &[value]) }
+    }
+
+    /// The bits as those of another type of the same size.
+    pub(crate) fn reinterpreted(&mut self, value: Value, to: Scalar) -> Value {
+        let from = self.b.scalar(value);
+        if from == to { value } else { self.b.eval(Op::Bitcast(from, to), &[value]) }
     }
 }

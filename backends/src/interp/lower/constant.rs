@@ -87,7 +87,9 @@ impl<'m> Lowerer<'m> {
             Literal::U64(v) => b.bits(Scalar::U64, v, v as f64),
             Literal::I64(v) => b.bits(Scalar::I64, v as u64, v as f64),
             Literal::Bool(v) => self.boolean(v),
-            Literal::U16(_) | Literal::I16(_) | Literal::AbstractInt(_) | Literal::AbstractFloat(_) => {
+            Literal::U16(v) => b.bits(Scalar::U16, v.into(), v.into()),
+            Literal::I16(v) => b.bits(Scalar::I16, (i32::from(v) as u32).into(), v.into()),
+            Literal::AbstractInt(_) | Literal::AbstractFloat(_) => {
                 return Err(format!("the literal {literal:?}"));
             }
         })

@@ -143,9 +143,4 @@ impl Lowerer<'_> {
         let scalar: Scalar = self.b.scalar(like);
         self.b.float(scalar, value)
     }
-
-    /// Rows become columns.
-    pub(crate) fn transpose(rows: usize, x: &[Value]) -> Vec<Value> {
-        (0..rows).flat_map(|row| x.iter().skip(row).step_by(rows)).copied().collect()
-    }
 }

@@ -46,8 +46,10 @@ pub(crate) fn scalar(scalar: naga::Scalar) -> Res<Scalar> {
         (ScalarKind::Float, 4) => Ok(Scalar::F32),
         (ScalarKind::Float, 2) => Ok(Scalar::F16),
         (ScalarKind::Float, 8) => Ok(Scalar::F64),
+        (ScalarKind::Sint, 2) => Ok(Scalar::I16),
         (ScalarKind::Sint, 4) => Ok(Scalar::I32),
         (ScalarKind::Sint, 8) => Ok(Scalar::I64),
+        (ScalarKind::Uint, 2) => Ok(Scalar::U16),
         (ScalarKind::Uint, 4) => Ok(Scalar::U32),
         (ScalarKind::Uint, 8) => Ok(Scalar::U64),
         (ScalarKind::Bool, _) => Ok(Scalar::Bool),
@@ -58,7 +60,7 @@ pub(crate) fn scalar(scalar: naga::Scalar) -> Res<Scalar> {
             | ScalarKind::AbstractInt
             | ScalarKind::AbstractFloat,
             _,
-        ) => Err(unsupported("scalars of 16 bits that are no floats")),
+        ) => Err(unsupported("numbers of this width")),
     }
 }
 

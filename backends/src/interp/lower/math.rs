@@ -1,10 +1,10 @@
 //! Built-in functions of floats.
 
 use super::super::error::Res;
-use super::super::program::Value;
 use super::super::program::op::FloatOp;
+use super::super::program::{Op, Scalar, Value};
+use super::Lowerer;
 use super::frame::Frame;
-use super::{Lowerer, malformed};
 use naga::{Expression, Handle, MathFunction};
 use std::rc::Rc;
 
@@ -20,10 +20,12 @@ impl<'m> Lowerer<'m> {
         for handle in rest.into_iter().flatten() {
             args.push(frame.data(handle)?);
         }
-        if fun == MathFunction::Transpose {
-            let shape = self.shape(frame, first)?;
-            let (_, rows) = self.types().matrix(shape).ok_or(malformed("what is transposed is a matrix"))?;
-            return Ok(Self::transpose(rows, &args[0]));
+        let matrix = self.shape(frame, first).ok().and_then(|shape| self.types().matrix(shape));
+        if let Some((_, rows)) = matrix {
+            return self.matrix_math(frame, fun, rows, &args[0]);
+        }
+        if let Some(values) = self.packed_math(fun, &args)? {
+            return Ok(values);
         }
         let scalar = args[0].first().map(|v| self.b.scalar(*v));
         if scalar.is_some_and(|s| s.float()) {
@@ -50,6 +52,49 @@ impl<'m> Lowerer<'m> {
         self.vector_math(frame, fun, args)
     }
 
+    fn matrix_math(
+        &mut self,
+        frame: &Frame<'m>,
+        fun: MathFunction,
+        rows: usize,
+        x: &[Value],
+    ) -> Res<Vec<Value>> {
+        match fun {
+            MathFunction::Transpose => Ok(Self::transpose(rows, x)),
+            MathFunction::Determinant => Ok(vec![self.determinant(rows, x)?]),
+            MathFunction::Inverse => self.inverse(rows, x),
+            fun => Err(frame.unsupported(format!("{fun:?} of matrices"))),
+        }
+    }
+
+    /// Both results of a function on each component: all of the first, then all of the second.
+    fn both(&mut self, x: &[Value], f: impl Fn(&mut Self, Value) -> [Value; 2]) -> Vec<Value> {
+        let pairs: Vec<_> = x.iter().map(|x| f(self, *x)).collect();
+        (0..2).flat_map(|part| pairs.iter().map(move |pair| pair[part])).collect()
+    }
+
+    /// What is behind the point, with the sign, and what is before it.
+    fn modf(&mut self, x: Value) -> [Value; 2] {
+        let whole = self.b.float_op(FloatOp::Trunc, &[x]);
+        [self.sub(x, whole), whole]
+    }
+
+    /// A number in `[0.5, 1)`, with the sign, and the power of two that it was divided by.
+    fn frexp(&mut self, x: Value) -> [Value; 2] {
+        let scalar = self.b.scalar(x);
+        [self.b.float_op(FloatOp::Significand, &[x]), self.b.eval(Op::Exponent(scalar), &[x])]
+    }
+
+    fn ldexp(&mut self, x: Value, by: Value) -> Value {
+        let (scalar, by) = (self.b.scalar(x), self.converted(by, Scalar::I32));
+        self.b.eval(Op::Ldexp(scalar), &[x, by])
+    }
+
+    fn quantized(&mut self, x: Value) -> Value {
+        let half = self.converted(x, Scalar::F16);
+        self.converted(half, Scalar::F32)
+    }
+
     fn vector_math(&mut self, frame: &Frame<'m>, fun: MathFunction, args: &[Rc<[Value]>]) -> Res<Vec<Value>> {
         use MathFunction as F;
         match (fun, args) {
@@ -61,6 +106,11 @@ impl<'m> Lowerer<'m> {
             (F::Reflect, [x, y]) => self.reflect(x, y),
             (F::Refract, [x, y, eta]) => self.refract(x, y, eta[0]),
             (F::FaceForward, [x, y, z]) => self.face_forward(x, y, z),
+            (F::Outer, [x, y]) => Ok(self.outer(x, y)),
+            (F::Modf, [x]) => Ok(self.both(x, Self::modf)),
+            (F::Frexp, [x]) => Ok(self.both(x, Self::frexp)),
+            (F::Ldexp, [x, by]) => Ok(self.pairs(x, by, Self::ldexp)),
+            (F::QuantizeToF16, [x]) => Ok(x.iter().map(|x| self.quantized(*x)).collect()),
             (fun, _) => Err(frame.unsupported(format!("{fun:?} of floats"))),
         }
     }

@@ -9,7 +9,7 @@
 //! - `control` turns statements to structured control flow; `call` enters functions.
 //! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
 //! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
-//!   `geometry`, `integer`.
+//!   `geometry`, `matrix`, `integer`, `packing`.
 //!
 //! The operations, their names and their order are those of the native functions, so that results agree bit
 //! for bit.
@@ -29,7 +29,9 @@ mod geometry;
 mod integer;
 mod layout;
 mod math;
+mod matrix;
 mod memory;
+mod packing;
 mod relational;
 mod scan;
 mod statement;

@@ -56,7 +56,7 @@ fn cost(block: &Block) -> Option<u32> {
 fn weight(op: Op) -> u32 {
     match op {
         Op::Float(_, op) => float_weight(op),
-        Op::Int(_, IntOp::Div | IntOp::Rem) | Op::Load { .. } => 16,
+        Op::Int(_, IntOp::Div | IntOp::Rem) | Op::Load { .. } | Op::Exponent(_) | Op::Ldexp(_) => 16,
         Op::Int(..)
         | Op::Copy(_)
         | Op::Input(..)
@@ -102,6 +102,7 @@ fn float_weight(op: FloatOp) -> u32 {
         F::Exp | F::Exp2 | F::Log | F::Log2 | F::InverseSqrt => 8,
         F::Rem
         | F::Pow
+        | F::Significand
         | F::Sin
         | F::Cos
         | F::Tan

@@ -38,6 +38,8 @@ fn commutes(op: Op) -> bool {
         | Op::Select(_)
         | Op::Convert(..)
         | Op::Bitcast(..)
+        | Op::Exponent(_)
+        | Op::Ldexp(_)
         | Op::Index { .. }
         | Op::Length { .. }
         | Op::Load { .. }

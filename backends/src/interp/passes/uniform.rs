@@ -139,6 +139,8 @@ impl Pass<'_> {
             | Op::Select(_)
             | Op::Convert(..)
             | Op::Bitcast(..)
+            | Op::Exponent(_)
+            | Op::Ldexp(_)
             | Op::Index { .. }
             | Op::Length { .. }
             | Op::Fused { .. } => false,

@@ -15,6 +15,10 @@ pub(crate) enum Scalar {
     F32,
     /// Held as f32, rounded after each operation.
     F16,
+    /// Held in 32 bits, extended by its sign.
+    I16,
+    /// Held in 32 bits, extended by zeros.
+    U16,
     I64,
     U64,
     F64,
@@ -25,14 +29,14 @@ impl Scalar {
     pub(crate) fn wide(self) -> bool {
         match self {
             Self::I64 | Self::U64 | Self::F64 => true,
-            Self::Bool | Self::I32 | Self::U32 | Self::F32 | Self::F16 => false,
+            Self::Bool | Self::I16 | Self::U16 | Self::I32 | Self::U32 | Self::F32 | Self::F16 => false,
         }
     }
 
     /// Bytes in memory.
     pub(crate) fn bytes(self) -> u32 {
         match self {
-            Self::F16 => 2,
+            Self::F16 | Self::I16 | Self::U16 => 2,
             Self::Bool | Self::I32 | Self::U32 | Self::F32 => 4,
             Self::I64 | Self::U64 | Self::F64 => 8,
         }
@@ -42,15 +46,15 @@ impl Scalar {
     pub(crate) fn float(self) -> bool {
         match self {
             Self::F32 | Self::F16 | Self::F64 => true,
-            Self::Bool | Self::I32 | Self::U32 | Self::I64 | Self::U64 => false,
+            Self::Bool | Self::I16 | Self::U16 | Self::I32 | Self::U32 | Self::I64 | Self::U64 => false,
         }
     }
 
     /// Whether it is a signed integer.
     pub(crate) fn signed(self) -> bool {
         match self {
-            Self::I32 | Self::I64 => true,
-            Self::Bool | Self::U32 | Self::U64 | Self::F32 | Self::F16 | Self::F64 => false,
+            Self::I16 | Self::I32 | Self::I64 => true,
+            Self::Bool | Self::U16 | Self::U32 | Self::U64 | Self::F32 | Self::F16 | Self::F64 => false,
         }
     }
 }
@@ -105,6 +109,8 @@ pub(crate) enum FloatOp {
     Fma,
     Mix,
     SmoothStep,
+    /// Of `frexp`, the number in `[0.5, 1)`.
+    Significand,
 }
 
 /// Operations on integers.
@@ -202,6 +208,10 @@ pub(crate) enum Op {
     Convert(Scalar, Scalar),
     /// The same bits as another type of the same size.
     Bitcast(Scalar, Scalar),
+    /// Of `frexp`, the power of two, as i32.
+    Exponent(Scalar),
+    /// A float times two to the power of an i32.
+    Ldexp(Scalar),
     /// `args[1] + min(args[0], count - 1) * stride`; without `args[1]` nothing is added.
     Index {
         count: Count,
@@ -238,8 +248,10 @@ impl Op {
             | Self::Select(s)
             | Self::Convert(_, s)
             | Self::Bitcast(_, s)
+            | Self::Ldexp(s)
             | Self::Load { scalar: s, .. } => s,
             Self::Compare(..) | Self::Logic(_) | Self::IsNan(_) | Self::IsInf(_) => Scalar::Bool,
+            Self::Exponent(_) => Scalar::I32,
             Self::Index { .. } | Self::Length { .. } => Scalar::U32,
             Self::Fused { .. } => Scalar::F32,
         }
@@ -260,6 +272,8 @@ impl Op {
             | Self::Select(_)
             | Self::Convert(..)
             | Self::Bitcast(..)
+            | Self::Exponent(_)
+            | Self::Ldexp(_)
             | Self::Index { .. }
             | Self::Length { .. }
             | Self::Fused { .. } => None,

@@ -7,7 +7,7 @@ use super::super::control::Blend;
 use super::super::shape::{Ask, Each, Same, exec};
 use super::super::{Inst, memory, ops};
 use super::flow::Mask;
-use super::{Linker, wide};
+use super::{COPIES, Linker, wide};
 
 impl<const N: usize> Linker<'_, N> {
     pub(super) fn eval(&mut self, eval: &Eval, arrays: &[u32]) -> Res<()> {
@@ -37,6 +37,8 @@ impl<const N: usize> Linker<'_, N> {
             | Op::Select(_)
             | Op::Convert(..)
             | Op::Bitcast(..)
+            | Op::Exponent(_)
+            | Op::Ldexp(_)
             | Op::Fused { .. }) => self.operation(op, eval, d),
         }
     }
@@ -96,8 +98,7 @@ impl<const N: usize> Linker<'_, N> {
         let (index, varying) = self.index(place.index());
         let (run, n) = match place {
             Place::Buffer { buffer, offset, .. } => {
-                let run = memory::load(scalar, varying, self.isa);
-                (run.ok_or_else(|| self.refuse(format!("loads of {scalar:?}")))?, [buffer, offset, 0])
+                (memory::load(scalar, varying, self.isa), [buffer, offset, 0])
             }
             Place::Lane { array, offset, .. } => {
                 let shape = self.program.arrays[array as usize];
@@ -115,8 +116,7 @@ impl<const N: usize> Linker<'_, N> {
         let value = (self.place(value), self.program.varying(value));
         let (run, n) = match place {
             Place::Buffer { buffer, offset, .. } => {
-                let run = memory::store(scalar, varying, value.1);
-                (run.ok_or_else(|| self.refuse(format!("stores of {scalar:?}")))?, [buffer, offset, 0])
+                (memory::store(scalar, varying, value.1), [buffer, offset, 0])
             }
             Place::Lane { array, offset, .. } => {
                 let shape = self.program.arrays[array as usize];
@@ -142,8 +142,10 @@ impl<const N: usize> Linker<'_, N> {
         let value = self.slot(atomic.value, 1);
         let expected = atomic.expected.map_or(value, |e| self.slot(e, 2));
         // Without a reader the old word goes where copies lie.
-        let d = atomic.old.map_or(COPY_OF_OLD, |old| self.place(Value::Reg(old)));
-        self.insts.push(Inst { run, d, s: [index, value, mask.slot, expected], n: [buffer, offset, 0] });
+        let unread = if scalar.wide() { COPIES - 1 } else { COPIES };
+        let d = atomic.old.map_or(unread, |old| self.place(Value::Reg(old)));
+        let n = [buffer, offset, memory::number(atomic.fun)];
+        self.insts.push(Inst { run, d, s: [index, value, mask.slot, expected], n });
         Ok(())
     }
 
@@ -178,6 +180,3 @@ impl<const N: usize> Linker<'_, N> {
         self.insts.push(Inst { run, d, s, n: [0; 3] });
     }
 }
-
-/// The last slot for copies.
-const COPY_OF_OLD: u32 = super::COPIES;

@@ -1,7 +1,8 @@
 //! Floats of 32 bits, as the native functions have them.
 
 use super::super::super::program::op::FloatOp;
-use super::super::shape::{Ask, Found, one, three_alike, two, two_alike, two_commuting};
+use super::super::super::scalar::float as numbers;
+use super::super::shape::{Ask, Found, one, one_plain, three_alike, two, two_alike, two_commuting};
 use super::functions;
 use lobe_codegen::math::scalar;
 
@@ -51,6 +52,7 @@ functions! {
     Fma(x: f32, y: f32, z: f32) -> f32 = scalar::fma(x, y, z);
     Mix(x: f32, y: f32, t: f32) -> f32 = scalar::mix(x, y, t);
     SmoothStep(low: f32, high: f32, x: f32) -> f32 = scalar::smoothstep(low, high, x);
+    Significand(x: f32) -> f32 = numbers::f32(FloatOp::Significand, [x; 3]);
 }
 
 pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
@@ -100,5 +102,6 @@ pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
         FloatOp::Fma => three_alike::<Fma, N>(ask),
         FloatOp::Mix => three_alike::<Mix, N>(ask),
         FloatOp::SmoothStep => three_alike::<SmoothStep, N>(ask),
+        FloatOp::Significand => one_plain::<Significand, N>(ask),
     }
 }

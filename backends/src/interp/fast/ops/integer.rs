@@ -3,7 +3,7 @@
 use super::super::super::program::Scalar;
 use super::super::super::program::op::IntOp;
 use super::super::shape::{Ask, Fn4, Found, four_alike, one, three_alike, two, two_alike, two_commuting};
-use super::functions;
+use super::{functions, sized};
 use lobe_codegen::math;
 
 functions! {
@@ -51,12 +51,15 @@ impl Fn4 for Insert {
     }
 }
 
-/// The form of an operation; none yet for 64 bits.
+/// The form of an operation.
 pub(super) fn find<const N: usize>(scalar: Scalar, op: IntOp, ask: Ask) -> Option<Found<N>> {
     match scalar {
         Scalar::I32 => Some(signed(op, ask)),
         Scalar::U32 => Some(unsigned(op, ask)),
-        Scalar::I64 | Scalar::U64 => None,
+        Scalar::I16 => Some(sized::find::<i16, N>(op, ask)),
+        Scalar::U16 => Some(sized::find::<u16, N>(op, ask)),
+        Scalar::I64 => Some(sized::find::<i64, N>(op, ask)),
+        Scalar::U64 => Some(sized::find::<u64, N>(op, ask)),
         Scalar::Bool | Scalar::F32 | Scalar::F16 | Scalar::F64 => None,
     }
 }

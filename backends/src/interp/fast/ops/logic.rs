@@ -2,7 +2,7 @@
 
 use super::super::super::program::Scalar;
 use super::super::super::program::op::{Comparison, LogicOp};
-use super::super::shape::{Ask, Found, one, three, two, two_commuting};
+use super::super::shape::{Ask, Found, one, three, two, two_alike, two_commuting};
 use super::{functions, mask};
 
 functions! {
@@ -16,6 +16,18 @@ functions! {
     LessEqualU(a: u32, b: u32) -> u32 = mask(a <= b);
     LessI(a: i32, b: i32) -> u32 = mask(a < b);
     LessEqualI(a: i32, b: i32) -> u32 = mask(a <= b);
+    EqualWide(a: u64, b: u64) -> u32 = mask(a == b);
+    NotEqualWide(a: u64, b: u64) -> u32 = mask(a != b);
+    LessU64(a: u64, b: u64) -> u32 = mask(a < b);
+    LessEqualU64(a: u64, b: u64) -> u32 = mask(a <= b);
+    LessI64(a: i64, b: i64) -> u32 = mask(a < b);
+    LessEqualI64(a: i64, b: i64) -> u32 = mask(a <= b);
+    EqualF64(a: f64, b: f64) -> u32 = mask(a == b);
+    NotEqualF64(a: f64, b: f64) -> u32 = mask(a != b);
+    LessF64(a: f64, b: f64) -> u32 = mask(a < b);
+    LessEqualF64(a: f64, b: f64) -> u32 = mask(a <= b);
+    IsNanF64(a: f64) -> u32 = mask(a.is_nan());
+    IsInfF64(a: f64) -> u32 = mask(a.is_infinite());
     Not(a: u32) -> u32 = !a;
     And(a: u32, b: u32) -> u32 = a & b;
     AndNot(a: u32, b: u32) -> u32 = a & !b;
@@ -31,22 +43,32 @@ functions! {
     };
 }
 
-/// The form of a comparison; none yet for 64 bits.
-pub(super) fn compare<const N: usize>(scalar: Scalar, comparison: Comparison, ask: Ask) -> Option<Found<N>> {
+/// The form of a comparison.
+pub(super) fn compare<const N: usize>(scalar: Scalar, comparison: Comparison, ask: Ask) -> Found<N> {
     use Comparison as C;
-    Some(match (scalar, comparison) {
-        (Scalar::F32 | Scalar::F16, C::Equal) => two_commuting::<EqualF, N>(ask),
-        (Scalar::F32 | Scalar::F16, C::NotEqual) => two_commuting::<NotEqualF, N>(ask),
-        (Scalar::F32 | Scalar::F16, C::Less) => two::<LessF, N>(ask),
-        (Scalar::F32 | Scalar::F16, C::LessEqual) => two::<LessEqualF, N>(ask),
-        (Scalar::I32 | Scalar::U32 | Scalar::Bool, C::Equal) => two_commuting::<EqualU, N>(ask),
-        (Scalar::I32 | Scalar::U32 | Scalar::Bool, C::NotEqual) => two_commuting::<NotEqualU, N>(ask),
-        (Scalar::I32, C::Less) => two::<LessI, N>(ask),
-        (Scalar::I32, C::LessEqual) => two::<LessEqualI, N>(ask),
-        (Scalar::U32 | Scalar::Bool, C::Less) => two::<LessU, N>(ask),
-        (Scalar::U32 | Scalar::Bool, C::LessEqual) => two::<LessEqualU, N>(ask),
-        (Scalar::I64 | Scalar::U64 | Scalar::F64, _) => return None,
-    })
+    use Scalar as S;
+    match (scalar, comparison) {
+        (S::F32 | S::F16, C::Equal) => two_commuting::<EqualF, N>(ask),
+        (S::F32 | S::F16, C::NotEqual) => two_commuting::<NotEqualF, N>(ask),
+        (S::F32 | S::F16, C::Less) => two::<LessF, N>(ask),
+        (S::F32 | S::F16, C::LessEqual) => two::<LessEqualF, N>(ask),
+        (S::I16 | S::U16 | S::I32 | S::U32 | S::Bool, C::Equal) => two_commuting::<EqualU, N>(ask),
+        (S::I16 | S::U16 | S::I32 | S::U32 | S::Bool, C::NotEqual) => two_commuting::<NotEqualU, N>(ask),
+        (S::I16 | S::I32, C::Less) => two::<LessI, N>(ask),
+        (S::I16 | S::I32, C::LessEqual) => two::<LessEqualI, N>(ask),
+        (S::U16 | S::U32 | S::Bool, C::Less) => two::<LessU, N>(ask),
+        (S::U16 | S::U32 | S::Bool, C::LessEqual) => two::<LessEqualU, N>(ask),
+        (S::I64 | S::U64, C::Equal) => two_alike::<EqualWide, N>(ask),
+        (S::I64 | S::U64, C::NotEqual) => two_alike::<NotEqualWide, N>(ask),
+        (S::I64, C::Less) => two_alike::<LessI64, N>(ask),
+        (S::I64, C::LessEqual) => two_alike::<LessEqualI64, N>(ask),
+        (S::U64, C::Less) => two_alike::<LessU64, N>(ask),
+        (S::U64, C::LessEqual) => two_alike::<LessEqualU64, N>(ask),
+        (S::F64, C::Equal) => two_alike::<EqualF64, N>(ask),
+        (S::F64, C::NotEqual) => two_alike::<NotEqualF64, N>(ask),
+        (S::F64, C::Less) => two_alike::<LessF64, N>(ask),
+        (S::F64, C::LessEqual) => two_alike::<LessEqualF64, N>(ask),
+    }
 }
 
 pub(super) fn find<const N: usize>(op: LogicOp, ask: Ask) -> Found<N> {
@@ -60,18 +82,14 @@ pub(super) fn find<const N: usize>(op: LogicOp, ask: Ask) -> Found<N> {
     }
 }
 
-pub(super) fn is_nan<const N: usize>(scalar: Scalar, ask: Ask) -> Option<Found<N>> {
-    match scalar {
-        Scalar::F32 | Scalar::F16 => Some(one::<IsNan, N>(ask)),
-        Scalar::F64 | Scalar::Bool | Scalar::I32 | Scalar::U32 | Scalar::I64 | Scalar::U64 => None,
-    }
+/// Of a float.
+pub(super) fn is_nan<const N: usize>(scalar: Scalar, ask: Ask) -> Found<N> {
+    if scalar.wide() { one::<IsNanF64, N>(ask) } else { one::<IsNan, N>(ask) }
 }
 
-pub(super) fn is_inf<const N: usize>(scalar: Scalar, ask: Ask) -> Option<Found<N>> {
-    match scalar {
-        Scalar::F32 | Scalar::F16 => Some(one::<IsInf, N>(ask)),
-        Scalar::F64 | Scalar::Bool | Scalar::I32 | Scalar::U32 | Scalar::I64 | Scalar::U64 => None,
-    }
+/// Of a float.
+pub(super) fn is_inf<const N: usize>(scalar: Scalar, ask: Ask) -> Found<N> {
+    if scalar.wide() { one::<IsInfF64, N>(ask) } else { one::<IsInf, N>(ask) }
 }
 
 pub(super) fn select<const N: usize>(scalar: Scalar, ask: Ask) -> Found<N> {

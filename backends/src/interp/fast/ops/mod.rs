@@ -4,9 +4,11 @@
 
 mod cast;
 mod float;
+mod floats;
 mod fused;
 mod integer;
 mod logic;
+mod sized;
 
 use super::super::program::{Op, Scalar};
 use super::shape::{Ask, Exec, Found};
@@ -61,14 +63,18 @@ pub(super) fn find<const N: usize>(op: Op, ask: Ask) -> Option<Found<N>> {
     match op {
         Op::Copy(scalar) => Some(cast::copy(scalar, ask)),
         Op::Float(Scalar::F32, op) => Some(float::find(op, ask)),
+        Op::Float(Scalar::F16, op) => Some(floats::find::<floats::Half, N>(op, ask)),
+        Op::Float(Scalar::F64, op) => Some(floats::find::<floats::Double, N>(op, ask)),
         Op::Int(scalar, op) => integer::find(scalar, op, ask),
-        Op::Compare(scalar, comparison) => logic::compare(scalar, comparison, ask),
+        Op::Compare(scalar, comparison) => Some(logic::compare(scalar, comparison, ask)),
         Op::Logic(op) => Some(logic::find(op, ask)),
-        Op::IsNan(scalar) => logic::is_nan(scalar, ask),
-        Op::IsInf(scalar) => logic::is_inf(scalar, ask),
+        Op::IsNan(scalar) => Some(logic::is_nan(scalar, ask)),
+        Op::IsInf(scalar) => Some(logic::is_inf(scalar, ask)),
         Op::Select(scalar) => Some(logic::select(scalar, ask)),
-        Op::Convert(from, to) => cast::convert(from, to, ask),
+        Op::Convert(from, to) => Some(cast::convert(from, to, ask)),
         Op::Bitcast(from, to) => cast::bitcast(from, to, ask),
+        Op::Exponent(scalar) => Some(floats::exponent(scalar, ask)),
+        Op::Ldexp(scalar) => Some(floats::ldexp(scalar, ask)),
         Op::Fused { first, second, flipped } => Some(fused::find(first, second, flipped, ask)),
         // `memory` and `control` link these.
         Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. } => None,
