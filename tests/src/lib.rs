@@ -13,5 +13,6 @@ pub mod operations;
 pub mod oracle;
 pub mod question;
 pub mod report;
+pub mod shader;
 pub mod subject;
 pub mod value;

@@ -17,6 +17,8 @@ pub(crate) enum Outcome {
     Holds,
     /// Something fell short, as the report says.
     FellShort,
+    /// Some input is none, as the report says.
+    BadInput,
 }
 
 impl From<Outcome> for ExitCode {
@@ -24,6 +26,7 @@ impl From<Outcome> for ExitCode {
         match outcome {
             Outcome::Holds => Self::SUCCESS,
             Outcome::FellShort => Self::from(1),
+            Outcome::BadInput => Self::from(2),
         }
     }
 }
@@ -41,6 +44,8 @@ pub(crate) enum Fail {
     Read { path: PathBuf, cause: std::io::Error },
     #[error("{}: cannot be written: {cause}", path.display())]
     Write { path: PathBuf, cause: std::io::Error },
+    #[error("the route {route} is missing: {what}")]
+    Missing { route: String, what: String },
     #[error("standard output cannot be written: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
@@ -85,7 +90,7 @@ impl Fail {
             | Self::Write { .. }
             | Self::Stdout(_)
             | Self::Table(_) => 2,
-            Self::Open(_) => 3,
+            Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)
             | Self::Lower(_)
             | Self::Emit(_)

@@ -13,6 +13,7 @@ mod measure;
 mod oracle;
 mod output;
 mod route;
+mod run;
 mod select;
 
 use clap::{Parser, Subcommand};
@@ -37,6 +38,8 @@ enum Command {
     Emit(emit::Args),
     /// Run a kernel on rows of arguments
     Eval(eval::Args),
+    /// Run a compute shader of your own on the interpreter and on every GPU route, and compare
+    Run(run::Args),
     /// Ask kernels the four questions: correct, robust, conformant, agree
     Check(check::Args),
     /// Judge kernels by a folder of tables of high-precision values
@@ -51,18 +54,19 @@ enum Command {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    match lobe_codegen::quietly(|| run(&cli.command)) {
+    match lobe_codegen::quietly(|| execute(&cli.command)) {
         Ok(Ok(outcome)) => outcome.into(),
         Ok(Err(fail)) => fail.report(),
         Err(message) => Fail::Defect(message).report(),
     }
 }
 
-fn run(command: &Command) -> Result<Outcome, Fail> {
+fn execute(command: &Command) -> Result<Outcome, Fail> {
     match command {
         Command::List(args) => list::run(args),
         Command::Emit(args) => emit::run(args),
         Command::Eval(args) => eval::run(args),
+        Command::Run(args) => run::run(args),
         Command::Check(args) => check::run(args),
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),

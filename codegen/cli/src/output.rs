@@ -21,6 +21,7 @@ pub(crate) enum Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum ListFormat {
     /// Text for people
+    #[value(alias = "text")]
     Human,
     /// JSON with a versioned schema
     Json,

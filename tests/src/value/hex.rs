@@ -3,20 +3,36 @@
 /// `value` as a C99 hexadecimal float, without trailing zeros.
 #[must_use]
 pub fn format_hex(value: f32) -> String {
-    let sign = if value.is_sign_negative() { "-" } else { "" };
+    if value.is_subnormal() {
+        // As the hardware has it, with the exponent of the smallest normal number.
+        return digits(value.is_sign_negative(), 0, u64::from(value.to_bits() & 0x007f_ffff) << 29, -126);
+    }
+    format_hex_f64(value.into())
+}
+
+/// The same of an `f64`.
+#[must_use]
+pub fn format_hex_f64(value: f64) -> String {
+    let is_negative = value.is_sign_negative();
     if value.is_nan() {
         return "nan".to_owned();
     }
     if value.is_infinite() {
-        return format!("{sign}inf");
+        return if is_negative { "-inf".to_owned() } else { "inf".to_owned() };
     }
     let bits = value.to_bits();
-    let (exponent, fraction) = ((bits >> 23 & 0xff) as i32, bits & 0x007f_ffff);
-    if exponent == 0 && fraction == 0 {
-        return format!("{sign}0x0p0");
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
+    match (exponent, fraction) {
+        (0, 0) => digits(is_negative, 0, 0, 0),
+        (0, _) => digits(is_negative, 0, fraction, -1022),
+        _ => digits(is_negative, 1, fraction, exponent - 1023),
     }
-    let (lead, power) = if exponent == 0 { (0, -126) } else { (1, exponent - 127) };
-    let digits = format!("{:06x}", fraction << 1);
+}
+
+/// `fraction` counts 2^-52.
+fn digits(is_negative: bool, lead: u8, fraction: u64, power: i32) -> String {
+    let sign = if is_negative { "-" } else { "" };
+    let digits = format!("{fraction:013x}");
     let digits = digits.trim_end_matches('0');
     let point = if digits.is_empty() { "" } else { "." };
     format!("{sign}0x{lead}{point}{digits}p{power}")
@@ -75,6 +91,9 @@ mod tests {
     fn the_spelling_is_that_of_c() {
         assert_eq!(format_hex(12.0), "0x1.8p3");
         assert_eq!(format_hex(-0.0), "-0x0p0");
+        assert_eq!(format_hex(f32::from_bits(1)), "0x0.000002p-126");
+        assert_eq!(format_hex_f64(0.1), "0x1.999999999999ap-4");
+        assert_eq!(format_hex_f64(f64::from_bits(1)), "0x0.0000000000001p-1022");
         assert_eq!(parse_hex("0x.8"), Some(0.5));
         assert_eq!(parse_hex("0xffp-4"), Some(15.9375));
     }

@@ -9,6 +9,6 @@ mod hex;
 mod parse;
 mod print;
 
-pub use hex::{format_hex, parse_hex};
+pub use hex::{format_hex, format_hex_f64, parse_hex};
 pub use parse::{RowError, parse_row, parse_rows};
 pub use print::{Floats, args_json, value_json};

@@ -1,0 +1,134 @@
+//! `lobe run`: somebody's own compute shader, on the interpreter and on every GPU route.
+
+mod list;
+mod options;
+mod text;
+
+use crate::fail::{Fail, Outcome};
+use crate::output::{self, ListFormat};
+use lobe_tests::shader::job::{Entry, Job};
+use lobe_tests::shader::report::{Report, Status};
+use lobe_tests::shader::routes::{Routes, ShaderRoute};
+use lobe_tests::shader::{serve, supervise};
+use options::JobArgs;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// Options.
+#[derive(Debug, clap::Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Args {
+    #[command(flatten)]
+    job: JobArgs,
+    /// Run many shaders, a line of the report each: a folder of shaders, or a file with a shader and its options a line
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["file", "outputs"])]
+    batch: Option<PathBuf>,
+    /// Shaders that a batch runs at a time; by default one for each processor
+    #[arg(long, value_name = "N", requires = "batch", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value_t = ListFormat::Human)]
+    format: ListFormat,
+    /// Take jobs from standard input, for a `lobe run` that watches over this one
+    #[arg(long, hide = true)]
+    serve: bool,
+}
+
+const HELP: &str = "\
+Each buffer that the entry point uses is filled as --input says, else with random:0. \
+random:SEED draws floats from -1..1, u32 from 0..64 and i32 from -32..32; atomics start at 0. \
+FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1.8p3\", \"nan\", \"inf\"), \
+or else the bytes themselves. \
+A buffer that ends in an array without length gets an element for each invocation, up to 64 MiB.
+
+A batch runs every compute entry point of a file that names none. In a list, what a line says wins over \
+what the command line says; empty lines and lines that begin with # are passed over.
+
+Results: ok, or differs (by more than is permitted), unjudged (floats differ, and no bound says by how much they may), \
+findings (the program does something wrong), refused (the interpreter does not execute something), \
+invalid (naga refuses the file), error (an option does not fit), timeout, crashed.
+
+Exit codes: 0 all ok, 2 nothing worse than invalid or error, 3 a route named by --route is missing, else 1.";
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    if args.serve {
+        return serve::serve().map(|()| Outcome::Holds).map_err(Fail::Stdout);
+    }
+    let jobs = match (&args.batch, &args.job.file) {
+        (Some(list), _) => list::jobs(list, &args.job)?,
+        (None, Some(file)) => vec![args.job.job(file.clone(), Entry::Only)],
+        (None, None) => {
+            return Err(Fail::Usage("name a shader, or a list of shaders with --batch".to_owned()));
+        }
+    };
+    check_routes(&jobs)?;
+    report(args, &jobs)
+}
+
+/// Whether this machine has every route that is asked for by name.
+fn check_routes(jobs: &[Job]) -> Result<(), Fail> {
+    let mut named: Vec<&String> = jobs.iter().flat_map(|j| &j.routes).filter(|r| *r != "interp").collect();
+    named.sort_unstable();
+    named.dedup();
+    if named.is_empty() {
+        return Ok(());
+    }
+    let routes = Routes::look();
+    for name in named {
+        let route: ShaderRoute = name.parse().map_err(Fail::Usage)?;
+        if let Some(what) = routes.missing(&route) {
+            return Err(Fail::Missing { route: name.clone(), what });
+        }
+    }
+    Ok(())
+}
+
+fn report(args: &Args, jobs: &[Job]) -> Result<Outcome, Fail> {
+    let mut tally = BTreeMap::new();
+    let mut broken = Ok(());
+    supervise::supervise(&plan(args)?, jobs, &mut |_, reports| {
+        for report in reports {
+            *tally.entry(report.status).or_insert(0) += 1;
+            if broken.is_ok() {
+                broken = print(args, &report);
+            }
+        }
+    });
+    broken?;
+    if args.batch.is_some() {
+        output::print(&text::summary(&tally, args.format))?;
+    }
+    Ok(outcome(&tally))
+}
+
+fn plan(args: &Args) -> Result<supervise::Plan, Fail> {
+    let program = std::env::current_exe().map_err(|cause| Fail::Read { path: "lobe".into(), cause })?;
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let workers = match (&args.batch, args.jobs) {
+        (None, _) => 1,
+        (Some(_), jobs) => jobs.map_or(processors, usize::from),
+    };
+    let arguments = ["run", "--serve"].map(str::to_owned).to_vec();
+    let threads = args.batch.as_ref().map(|_| (processors / workers).max(1));
+    Ok(supervise::Plan { program, arguments, workers, threads })
+}
+
+fn print(args: &Args, report: &Report) -> Result<(), Fail> {
+    match (args.format, &args.batch) {
+        (ListFormat::Json, _) => output::print(&text::json(report)),
+        (ListFormat::Human, Some(_)) => output::print(&text::line(report)),
+        (ListFormat::Human, None) => output::print(&text::whole(report)),
+    }
+}
+
+fn outcome(tally: &BTreeMap<Status, usize>) -> Outcome {
+    let are_all = |wanted: &[Status]| tally.keys().all(|status| wanted.contains(status));
+    if are_all(&[Status::Ok]) {
+        Outcome::Holds
+    } else if are_all(&[Status::Ok, Status::Invalid, Status::Error]) {
+        Outcome::BadInput
+    } else {
+        Outcome::FellShort
+    }
+}

@@ -1,0 +1,102 @@
+//! Options of one shader, on the command line or in a list.
+
+use lobe_tests::shader::feed::Feed;
+use lobe_tests::shader::job::{Entry, Job};
+use std::path::PathBuf;
+
+/// Rounds of loops, unless said otherwise.
+const FUEL: u64 = 1 << 22;
+
+/// Seconds of each step, unless said otherwise.
+const TIMEOUT: u64 = 20;
+
+/// What is asked of one shader.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub(super) struct JobArgs {
+    /// The shader, by its extension: .wgsl, .spv, .glsl or .comp
+    pub(super) file: Option<PathBuf>,
+    /// Compute entry point; not needed where there is only one
+    #[arg(long, value_name = "NAME")]
+    entry: Option<String>,
+    /// Workgroups along each axis [default: 1,1,1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
+    workgroups: Option<[u32; 3]>,
+    /// What a buffer holds: NAME (or GROUP:BINDING) = FILE, zeros or random:SEED
+    #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED", value_parser = named::<Feed>)]
+    inputs: Vec<(String, Feed)>,
+    /// Write what the interpreter leaves in a buffer to FILE, as bytes or as .json
+    #[arg(long = "output", value_name = "NAME=FILE", value_parser = named::<PathBuf>)]
+    outputs: Vec<(String, PathBuf)>,
+    /// Length of a buffer
+    #[arg(long = "size", value_name = "NAME=BYTES", value_parser = named::<usize>)]
+    sizes: Vec<(String, usize)>,
+    /// Value of a pipeline-overridable constant, by name or @id
+    #[arg(long = "override", value_name = "NAME=VALUE", value_parser = named::<f64>)]
+    overrides: Vec<(String, f64)>,
+    /// Compare only with these routes, as spirv@lavapipe; `interp` alone compares with none
+    #[arg(long = "route", value_name = "ROUTE")]
+    routes: Vec<String>,
+    /// Rounds of loops that 128 invocations, or a workgroup, may run on the interpreter [default: 4194304]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    fuel: Option<u64>,
+    /// Seconds that each step may take [default: 20]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    timeout: Option<u64>,
+}
+
+impl JobArgs {
+    /// The job for `file`; `entries` if no entry point is named.
+    pub(super) fn job(&self, file: PathBuf, entries: Entry) -> Job {
+        Job {
+            file,
+            entry: self.entry.clone().map_or(entries, Entry::Named),
+            workgroups: self.workgroups.unwrap_or([1; 3]),
+            inputs: self.inputs.clone(),
+            outputs: self.outputs.clone(),
+            sizes: self.sizes.clone(),
+            overrides: self.overrides.clone(),
+            routes: self.routes.clone(),
+            fuel: self.fuel.unwrap_or(FUEL),
+            timeout: self.timeout.unwrap_or(TIMEOUT),
+            given_up: Vec::new(),
+        }
+    }
+
+    /// What these say, and else what `common` says; of values by name, both.
+    pub(super) fn or(self, common: &Self) -> Self {
+        Self {
+            file: self.file,
+            entry: self.entry.or_else(|| common.entry.clone()),
+            workgroups: self.workgroups.or(common.workgroups),
+            inputs: [common.inputs.clone(), self.inputs].concat(),
+            outputs: [common.outputs.clone(), self.outputs].concat(),
+            sizes: [common.sizes.clone(), self.sizes].concat(),
+            overrides: [common.overrides.clone(), self.overrides].concat(),
+            routes: if self.routes.is_empty() { common.routes.clone() } else { self.routes },
+            fuel: self.fuel.or(common.fuel),
+            timeout: self.timeout.or(common.timeout),
+        }
+    }
+}
+
+/// `NAME=VALUE`.
+fn named<T>(text: &str) -> Result<(String, T), String>
+where
+    T: std::str::FromStr,
+    T::Err: std::fmt::Display,
+{
+    let (name, value) = text.split_once('=').ok_or("it has no `=` between a name and a value")?;
+    let value = value.parse().map_err(|e: T::Err| e.to_string())?;
+    Ok((name.to_owned(), value))
+}
+
+fn workgroups(text: &str) -> Result<[u32; 3], String> {
+    let sides = text.split(',').map(|side| side.trim().parse::<u32>().ok().filter(|n| *n > 0));
+    let sides: Vec<u32> = sides.collect::<Option<_>>().ok_or("each number is an integer of at least 1")?;
+    match sides[..] {
+        [x] => Ok([x, 1, 1]),
+        [x, y] => Ok([x, y, 1]),
+        [x, y, z] => Ok([x, y, z]),
+        _ => Err("one to three numbers are wanted, with commas between".to_owned()),
+    }
+}

@@ -1,0 +1,103 @@
+//! Reports of runs, for people and for programs.
+
+use crate::output::ListFormat;
+use lobe_tests::shader::compare::Compared;
+use lobe_tests::shader::report::{Report, RouteReport, Status};
+use serde_json::json;
+use std::collections::BTreeMap;
+
+/// A report as a line of JSON.
+pub(super) fn json(report: &Report) -> String {
+    format!("{}\n", serde_json::to_string(report).unwrap_or_default())
+}
+
+/// A report as a line.
+pub(super) fn line(report: &Report) -> String {
+    let mut text = format!("{:8} {}", report.status.name(), subject(report));
+    let first = |message: &str| message.lines().find(|l| !l.trim().is_empty()).unwrap_or_default().to_owned();
+    if let Some(message) = &report.message {
+        text += &format!(": {}", first(message));
+    }
+    for found in report.routes.iter().filter(|r| r.message.is_some() || r.buffers.iter().any(is_worth)) {
+        let why = found.message.as_deref().map(first).unwrap_or_default();
+        let buffers: Vec<String> = found.buffers.iter().filter(|b| is_worth(b)).map(buffer).collect();
+        text += &format!("; {} {} {why}{}", found.route, found.status.name(), buffers.join(", "));
+    }
+    text + "\n"
+}
+
+/// A report with all that it says.
+pub(super) fn whole(report: &Report) -> String {
+    if report.inputs.is_empty() && report.routes.is_empty() {
+        let message = report.message.as_deref().unwrap_or_default();
+        return format!("{}: {}\n{message}\n", subject(report), report.status.name());
+    }
+    let size = |sides: [u32; 3]| sides.map(|n| n.to_string()).join("x");
+    let mut text = format!(
+        "{}: {} workgroups of {} invocations\n",
+        subject(report),
+        size(report.workgroups),
+        size(report.workgroup_size)
+    );
+    for input in &report.inputs {
+        text += &format!("  input  {} ({}) {} bytes, {}\n", input.name, input.place, input.bytes, input.from);
+    }
+    report.routes.iter().for_each(|route| text += &one(route));
+    if report.routes.is_empty() && report.message.is_none() {
+        text += "  it ran on interp and was compared with no other route\n";
+    }
+    let message = report.message.as_ref().map(|m| format!(": {m}")).unwrap_or_default();
+    text + &format!("{}{message}\n", report.status.name())
+}
+
+fn subject(report: &Report) -> String {
+    match &report.entry {
+        Some(entry) => format!("{} {entry}", report.file),
+        None => report.file.clone(),
+    }
+}
+
+fn one(route: &RouteReport) -> String {
+    let mut text = format!("  {:22} {}", route.route, route.status.name());
+    if let Some(message) = &route.message {
+        text += &format!(": {}", message.trim_end().replace('\n', "\n    "));
+    }
+    for found in &route.buffers {
+        text += &format!("\n    {}", buffer(found));
+    }
+    text + "\n"
+}
+
+/// Whether a line has something to say about a buffer.
+fn is_worth(compared: &Compared) -> bool {
+    compared.differing > 0
+}
+
+fn buffer(compared: &Compared) -> String {
+    let Compared { buffer, scalars, differing, max_ulp, .. } = compared;
+    let Some(first) = &compared.first else {
+        return format!("{buffer}: {scalars} scalars equal");
+    };
+    let ulp = first.ulp.map(|n| format!(", {n} ULP apart")).unwrap_or_default();
+    let bound = first.bound.map(|b| format!(", bound {b:e}")).unwrap_or_default();
+    let most = if *max_ulp > 0 { format!(", by at most {max_ulp} ULP") } else { String::new() };
+    let (path, interp, found) = (&first.path, &first.interp, &first.found);
+    format!(
+        "{buffer}: {differing} of {scalars} scalars differ{most}; {path} is {found}, on interp {interp}{ulp}{bound}"
+    )
+}
+
+/// How many ended how.
+pub(super) fn summary(tally: &BTreeMap<Status, usize>, format: ListFormat) -> String {
+    let runs: usize = tally.values().sum();
+    match format {
+        ListFormat::Json => {
+            let counts: BTreeMap<&str, usize> = tally.iter().map(|(s, n)| (s.name(), *n)).collect();
+            format!("{}\n", json!({ "summary": { "runs": runs, "counts": counts } }))
+        }
+        ListFormat::Human => {
+            let counts: Vec<String> = tally.iter().map(|(s, n)| format!("{n} {}", s.name())).collect();
+            format!("{runs} runs: {}\n", counts.join(", "))
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What a buffer holds when the shader starts.
+
+use super::json;
+use super::number;
+use super::resource::Resource;
+use crate::domain::Rng;
+use naga::{Scalar, ScalarKind};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// Largest buffer.
+pub const LARGEST: usize = 1 << 30;
+
+/// Largest buffer whose length nobody stated.
+const UNSTATED: usize = 1 << 26;
+
+/// Where the bytes come from.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Feed {
+    /// All zero.
+    Zeros,
+    /// Drawn: floats uniform in -1..1, unsigned integers in 0..64, signed ones in -32..32; atomics are 0.
+    Random(u64),
+    /// A file: JSON that follows the type (`.json`), or else the bytes themselves.
+    File(PathBuf),
+}
+
+impl FromStr for Feed {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.split_once(':') {
+            _ if text == "zeros" => Ok(Self::Zeros),
+            Some(("random", seed)) => match seed.parse() {
+                Ok(seed) => Ok(Self::Random(seed)),
+                Err(_) => Err(format!("`{seed}` is no seed; write random:7")),
+            },
+            _ if text == "random" => Err("random needs a seed; write random:7".to_owned()),
+            _ if text.is_empty() => Err("a file, zeros, or random:SEED is wanted".to_owned()),
+            _ => Ok(Self::File(PathBuf::from(text))),
+        }
+    }
+}
+
+impl std::fmt::Display for Feed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Zeros => f.write_str("zeros"),
+            Self::Random(seed) => write!(f, "random:{seed}"),
+            Self::File(path) => write!(f, "{}", path.display()),
+        }
+    }
+}
+
+/// The bytes of `resource`: `size` of them if one is stated, else those of the file, else as many elements as there
+/// are invocations.
+///
+/// # Errors
+/// When the file cannot be read or does not follow the type, or the size does not fit.
+pub fn fill(
+    resource: &Resource,
+    feed: &Feed,
+    size: Option<usize>,
+    invocations: u64,
+) -> Result<Vec<u8>, String> {
+    let name = &resource.name;
+    let mut bytes = match feed {
+        Feed::File(path) => read(resource, path)?,
+        Feed::Zeros | Feed::Random(_) => {
+            vec![0; checked(name, size.unwrap_or_else(|| usual(resource, invocations)))?]
+        }
+    };
+    let size = checked(name, size.unwrap_or(bytes.len()))?;
+    let is_file = matches!(feed, Feed::File(_));
+    if size < resource.least || size % 4 != 0 {
+        let least = resource.least;
+        return Err(format!("`{name}` needs {least} bytes or more, a multiple of 4; it has {size}"));
+    }
+    if is_file && bytes.len() > size {
+        return Err(format!("`{name}`: the file's {} bytes are more than the size of {size}", bytes.len()));
+    }
+    bytes.resize(size, 0);
+    if let Feed::Random(seed) = feed {
+        draw(resource, *seed, &mut bytes);
+    }
+    Ok(bytes)
+}
+
+fn checked(name: &str, size: usize) -> Result<usize, String> {
+    if size <= LARGEST {
+        return Ok(size);
+    }
+    Err(format!("`{name}` would have {size} bytes, more than the {LARGEST} that a buffer may have"))
+}
+
+/// An element for each invocation, if the buffer says how many it has.
+fn usual(resource: &Resource, invocations: u64) -> usize {
+    let Some((offset, stride)) = resource.shape.tail() else { return resource.least };
+    let stride = u64::from(stride.max(1));
+    let elements = invocations.min(UNSTATED as u64 / stride).max(1);
+    let size = u64::from(offset) + elements * stride;
+    resource.least.max((size as usize).next_multiple_of(4))
+}
+
+fn read(resource: &Resource, path: &Path) -> Result<Vec<u8>, String> {
+    let told = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let bytes = std::fs::read(path).map_err(|e| told(&format!("cannot be read: {e}")))?;
+    if path.extension().is_none_or(|e| e != "json") {
+        return Ok(bytes);
+    }
+    let value = serde_json::from_slice(&bytes).map_err(|e| told(&e))?;
+    json::bytes(&resource.name, &resource.shape, resource.least, &value).map_err(|e| told(&e))
+}
+
+fn draw(resource: &Resource, seed: u64, bytes: &mut [u8]) {
+    let mut rng = Rng::new(seed, &resource.place());
+    let end = bytes.len();
+    resource.shape.visit(end, &mut |at, scalar, is_atomic| {
+        if !is_atomic {
+            let drawn = number(scalar, &mut rng);
+            bytes[at..at + drawn.len()].copy_from_slice(&drawn);
+        }
+    });
+}
+
+fn number(scalar: Scalar, rng: &mut Rng) -> Vec<u8> {
+    match scalar.kind {
+        ScalarKind::Float => number::float_bytes(scalar.width, rng.range(-1.0, 1.0)),
+        ScalarKind::Sint => (rng.below(64) as i64 - 32).to_le_bytes()[..usize::from(scalar.width)].to_vec(),
+        _ => (rng.below(64) as u64).to_le_bytes()[..usize::from(scalar.width)].to_vec(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn feeds_are_spelt_as_they_print() {
+        for text in ["zeros", "random:7", "data.bin", "a/b.json"] {
+            assert_eq!(text.parse::<Feed>().map(|f| f.to_string()), Ok(text.to_owned()));
+        }
+        for text in ["random", "random:", "random:x", ""] {
+            assert!(text.parse::<Feed>().is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What a user asks of a shader.
+
+use super::feed::Feed;
+use super::report::Status;
+use std::path::PathBuf;
+
+/// A run of a shader's entry points.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Job {
+    /// The shader: WGSL, SPIR-V or GLSL, by its extension.
+    pub file: PathBuf,
+    /// Which entry points.
+    pub entry: Entry,
+    /// Workgroups along each axis.
+    pub workgroups: [u32; 3],
+    /// What buffers hold, by name or `group:binding`.
+    pub inputs: Vec<(String, Feed)>,
+    /// Where the interpreter's results go.
+    pub outputs: Vec<(String, PathBuf)>,
+    /// Bytes of buffers.
+    pub sizes: Vec<(String, usize)>,
+    /// Values of pipeline-overridable constants.
+    pub overrides: Vec<(String, f64)>,
+    /// Routes to compare with; all that are ready when empty.
+    pub routes: Vec<String>,
+    /// Rounds of loops that a batch of invocations, or a workgroup, may run.
+    pub fuel: u64,
+    /// Seconds that each step may take.
+    pub timeout: u64,
+    /// Steps that are known to end badly, from runs before.
+    #[serde(default)]
+    pub given_up: Vec<GivenUp>,
+}
+
+/// Which entry points to run.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Entry {
+    /// This one.
+    Named(String),
+    /// The only one; it is an error if there are more.
+    Only,
+    /// Each, one after the other.
+    Each,
+}
+
+/// A step of a job.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Step {
+    /// The entry point; `None` while the file is read.
+    pub entry: Option<String>,
+    /// `read`, `interp`, or a route.
+    pub name: String,
+}
+
+/// A step that crashed or did not end.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct GivenUp {
+    /// The step.
+    pub step: Step,
+    /// [`Status::Crashed`] or [`Status::Timeout`].
+    pub status: Status,
+    /// What was seen.
+    pub message: String,
+}

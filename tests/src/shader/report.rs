@@ -1,0 +1,191 @@
+//! What came of a run.
+
+use super::compare::{Compared, Standing};
+
+/// How a run ended, the worst of its routes; better before worse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// The interpreter ran it, and every route that ran agrees within what is permitted.
+    Ok,
+    /// Floats differ, and nothing says by how much they may.
+    Unjudged,
+    /// The interpreter does not execute something in it.
+    Refused,
+    /// What was asked for does not fit the shader.
+    Error,
+    /// It is no shader, by naga's front end and validator.
+    Invalid,
+    /// The program itself does something wrong.
+    Findings,
+    /// A route differs by more than is permitted.
+    Differs,
+    /// A step did not end in time.
+    Timeout,
+    /// A step crashed or panicked.
+    Crashed,
+}
+
+impl Status {
+    /// Its name, as reports print it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Unjudged => "unjudged",
+            Self::Refused => "refused",
+            Self::Error => "error",
+            Self::Invalid => "invalid",
+            Self::Findings => "findings",
+            Self::Differs => "differs",
+            Self::Timeout => "timeout",
+            Self::Crashed => "crashed",
+        }
+    }
+}
+
+/// The outcome of one entry point, or of a file of which none could be run.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Report {
+    /// The file.
+    pub file: String,
+    /// The entry point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entry: Option<String>,
+    /// How it ended.
+    pub status: Status,
+    /// Why, where that is not `ok`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+    /// Invocations of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// Workgroups.
+    pub workgroups: [u32; 3],
+    /// What the buffers held.
+    pub inputs: Vec<Input>,
+    /// What came of each route.
+    pub routes: Vec<RouteReport>,
+}
+
+/// A buffer before the run.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Input {
+    /// Its name.
+    pub name: String,
+    /// `group:binding`.
+    pub place: String,
+    /// Its length.
+    pub bytes: usize,
+    /// Where the bytes came from.
+    pub from: String,
+}
+
+/// The outcome of one route.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct RouteReport {
+    /// Its name.
+    pub route: String,
+    /// How it ended.
+    pub status: RouteStatus,
+    /// Why there is no comparison.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+    /// Each buffer that the shader may write.
+    pub buffers: Vec<Compared>,
+}
+
+/// How a route ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RouteStatus {
+    /// All bits are the interpreter's.
+    Equal,
+    /// Floats differ, within what is permitted.
+    Within,
+    /// Floats differ, and nothing says by how much they may.
+    Unjudged,
+    /// Something differs by more than is permitted.
+    Beyond,
+    /// A compiler or the driver does not take the shader.
+    Refused,
+    /// It did not end in time.
+    Timeout,
+    /// It crashed or panicked.
+    Crashed,
+}
+
+impl RouteStatus {
+    /// Its name, as reports print it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Equal => "equal",
+            Self::Within => "within",
+            Self::Unjudged => "unjudged",
+            Self::Beyond => "beyond",
+            Self::Refused => "refused",
+            Self::Timeout => "timeout",
+            Self::Crashed => "crashed",
+        }
+    }
+
+    /// What it makes of the whole run.
+    fn of_run(self) -> Status {
+        match self {
+            Self::Equal | Self::Within | Self::Refused => Status::Ok,
+            Self::Unjudged => Status::Unjudged,
+            Self::Beyond => Status::Differs,
+            Self::Timeout => Status::Timeout,
+            Self::Crashed => Status::Crashed,
+        }
+    }
+}
+
+impl From<Standing> for RouteStatus {
+    fn from(standing: Standing) -> Self {
+        match standing {
+            Standing::Equal => Self::Equal,
+            Standing::Within => Self::Within,
+            Standing::Unjudged => Self::Unjudged,
+            Standing::Beyond => Self::Beyond,
+        }
+    }
+}
+
+impl RouteReport {
+    /// A route that gave nothing to compare.
+    #[must_use]
+    pub fn without(route: &str, status: RouteStatus, message: String) -> Self {
+        Self { route: route.to_owned(), status, message: Some(message), buffers: Vec::new() }
+    }
+
+    /// A route that left these buffers.
+    #[must_use]
+    pub fn compared(route: &str, buffers: Vec<Compared>) -> Self {
+        let worst = buffers.iter().map(|b| b.standing).max().unwrap_or(Standing::Equal);
+        Self { route: route.to_owned(), status: worst.into(), message: None, buffers }
+    }
+}
+
+impl Report {
+    /// A report of nothing but a status.
+    #[must_use]
+    pub fn of(file: String, entry: Option<String>, status: Status, message: String) -> Self {
+        Self {
+            file,
+            entry,
+            status,
+            message: Some(message),
+            workgroup_size: [0; 3],
+            workgroups: [0; 3],
+            inputs: Vec::new(),
+            routes: Vec::new(),
+        }
+    }
+
+    /// Adds a route, and takes its status if that is worse.
+    pub fn add(&mut self, route: RouteReport) {
+        self.status = self.status.max(route.status.of_run());
+        self.routes.push(route);
+    }
+}

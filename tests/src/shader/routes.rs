@@ -1,0 +1,234 @@
+//! The GPU routes of a shader: what each is given, and what it leaves.
+
+use super::report::RouteStatus;
+use super::resource::Resource;
+use lobe_backends::gpu::{Binding, Gpu, GpuError, Job, Shader};
+use lobe_backends::interp::Buffer;
+use lobe_backends::route::{Road, Route};
+use lobe_backends::routes::{Machine, State};
+use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
+use lobe_codegen::ValidModule;
+use lobe_codegen::emit::{Content, EmitError, Plain, Target, plain};
+use lobe_codegen::foreign::{Language, Source};
+use std::collections::HashMap;
+use std::time::Duration;
+
+/// The road of a SPIR-V file's own words.
+const ORIGINAL: &str = "original";
+
+/// A way to a driver.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ShaderRoute {
+    /// `None`: the words of the file, unchanged.
+    road: Option<Road>,
+    driver: String,
+}
+
+impl std::fmt::Display for ShaderRoute {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}@{}", self.road.map_or(ORIGINAL, Road::name), self.driver)
+    }
+}
+
+impl std::str::FromStr for ShaderRoute {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if let Some((ORIGINAL, driver)) = text.split_once('@') {
+            return Ok(Self { road: None, driver: driver.to_owned() });
+        }
+        match text.parse::<Route>() {
+            Ok(Route::Gpu { road, driver }) => Ok(Self { road: Some(road), driver }),
+            Ok(Route::Native | Route::Interp) => Err(format!("`{text}` is no route of a shader to a driver")),
+            Err(error) => Err(error.to_string()),
+        }
+    }
+}
+
+/// One entry point, ready to run.
+#[derive(Debug)]
+pub struct Subject<'s> {
+    /// The file.
+    pub source: &'s Source,
+    /// The entry point's module.
+    pub module: &'s ValidModule,
+    /// The entry point's name.
+    pub entry: &'s str,
+    /// Whether the file's text means the same as `module`: no constant was overridden.
+    pub is_as_written: bool,
+    /// Invocations of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// Workgroups.
+    pub workgroups: [u32; 3],
+    /// The buffers that it uses.
+    pub resources: &'s [Resource],
+}
+
+/// Why a route has no results.
+#[derive(Debug)]
+pub struct Failure {
+    /// How it ended.
+    pub status: RouteStatus,
+    /// Why.
+    pub message: String,
+}
+
+/// The drivers of this machine, each opened at its first use.
+#[derive(Debug)]
+pub struct Routes {
+    machine: Machine,
+    opened: HashMap<String, Gpu>,
+}
+
+impl Routes {
+    /// Looks for drivers and translators.
+    #[must_use]
+    pub fn look() -> Self {
+        Self { machine: Machine::look(), opened: HashMap::new() }
+    }
+
+    /// The routes that a shader in `language` can take here.
+    #[must_use]
+    pub fn ready(&self, language: Language) -> Vec<ShaderRoute> {
+        let original = self.machine.drivers().iter().filter(|d| d.has_passthrough);
+        let original = original.map(|d| ShaderRoute { road: None, driver: d.name.clone() });
+        let ready = self.machine.routes().into_iter().filter(|(_, state)| *state == State::Ready);
+        let roads = ready.filter_map(|(route, _)| match route {
+            Route::Gpu { road, driver } => Some(ShaderRoute { road: Some(road), driver }),
+            Route::Native | Route::Interp => None,
+        });
+        let is_spirv = language == Language::Spirv;
+        original.filter(|_| is_spirv).chain(roads).collect()
+    }
+
+    /// What `route` lacks on this machine, and how to get it.
+    #[must_use]
+    pub fn missing(&self, route: &ShaderRoute) -> Option<String> {
+        let road = route.road.unwrap_or(Road::Spirv);
+        match self.machine.state(&Route::Gpu { road, driver: route.driver.clone() }) {
+            State::Ready => None,
+            State::Missing { what, mend } => Some(format!("{what}; {mend}")),
+        }
+    }
+
+    /// Runs `subject` by `route`, each of its resources with the buffer of the same place, and gives back what then
+    /// lies in those that it may write.
+    ///
+    /// # Errors
+    /// When the route does not take the shader, or does not survive it.
+    pub fn run(
+        &mut self,
+        route: &ShaderRoute,
+        subject: &Subject<'_>,
+        buffers: &[Buffer],
+        timeout: Duration,
+    ) -> Result<Vec<Vec<u8>>, Failure> {
+        let plain = self.written(route, subject)?;
+        let shader = match &plain.content {
+            Content::Text(text) => Shader::Wgsl(text),
+            Content::Words(words) => Shader::Spirv(words),
+        };
+        let bindings: Vec<Binding<'_>> = subject
+            .resources
+            .iter()
+            .zip(buffers)
+            .map(|(r, b)| Binding { group: r.group, binding: r.binding, kind: r.kind, data: &b.data })
+            .collect();
+        let gpu = self.open(route)?;
+        gpu.set_timeout(timeout);
+        let job = Job {
+            shader,
+            entry: &plain.entry,
+            workgroup_size: subject.workgroup_size,
+            groups: subject.workgroups,
+            bindings: &bindings,
+        };
+        gpu.run(&job).map_err(|e| Failure::of_gpu(&e))
+    }
+
+    fn open(&mut self, route: &ShaderRoute) -> Result<&mut Gpu, Failure> {
+        let name = &route.driver;
+        if !self.opened.contains_key(name) {
+            let driver = self.machine.drivers().iter().find(|d| d.name == *name);
+            let Some(driver) = driver else {
+                return Err(Failure::refused(self.missing(route).unwrap_or_default()));
+            };
+            let gpu = Gpu::open(driver).map_err(|e| Failure::of_gpu(&e))?;
+            self.opened.insert(name.clone(), gpu);
+        }
+        self.opened.get_mut(name).ok_or_else(|| Failure::refused(format!("{name} was lost")))
+    }
+
+    /// What the driver is given.
+    fn written(&self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<Plain, Failure> {
+        let write = |target| plain(subject.module, target, subject.entry).map_err(|e| Failure::of_emit(&e));
+        match route.road {
+            Some(Road::Spirv) => write(Target::Spirv),
+            Some(Road::WgslNaga) => match subject.source.text().filter(|_| subject.is_wgsl_as_written()) {
+                Some(text) => {
+                    Ok(Plain { content: Content::Text(text.to_owned()), entry: subject.entry.to_owned() })
+                }
+                None => write(Target::Wgsl),
+            },
+            Some(Road::HlslDxc) => self.through_dxc(&write(Target::Hlsl)?),
+            None => {
+                let words =
+                    spirv_words(&subject.source.bytes).map_err(|e| Failure::refused(e.to_string()))?;
+                spirv_val::validate(&words).map_err(|e| Failure::refused(e.to_string()))?;
+                Ok(Plain { content: Content::Words(words), entry: subject.entry.to_owned() })
+            }
+        }
+    }
+
+    fn through_dxc(&self, hlsl: &Plain) -> Result<Plain, Failure> {
+        let dxc = self.machine.dxc().map_err(|e| Failure::refused(e.to_string()))?;
+        let text = hlsl.content.text().unwrap_or_default();
+        let words = dxc
+            .compile(text, "cs_6_0", Some(&hlsl.entry), DxcOutput::Spirv)
+            .and_then(|object| spirv_words(&object))
+            .map_err(|e| Failure::refused(e.to_string()))?;
+        Ok(Plain { content: Content::Words(words), entry: hlsl.entry.clone() })
+    }
+}
+
+impl Subject<'_> {
+    fn is_wgsl_as_written(&self) -> bool {
+        self.source.language == Language::Wgsl && self.is_as_written
+    }
+}
+
+impl Failure {
+    fn refused(message: String) -> Self {
+        Self { status: RouteStatus::Refused, message }
+    }
+
+    fn of_gpu(error: &GpuError) -> Self {
+        let status = match error {
+            GpuError::Timeout { .. } => RouteStatus::Timeout,
+            GpuError::DeviceLost { .. } => RouteStatus::Crashed,
+            _ => RouteStatus::Refused,
+        };
+        Self { status, message: error.to_string() }
+    }
+
+    fn of_emit(error: &EmitError) -> Self {
+        let is_panic = matches!(error, EmitError::Panicked { .. });
+        let status = if is_panic { RouteStatus::Crashed } else { RouteStatus::Refused };
+        Self { status, message: error.to_string() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn routes_are_spelt_as_they_print() {
+        for name in ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "hlsl+dxc@swiftshader"] {
+            assert_eq!(name.parse::<ShaderRoute>().map(|r| r.to_string()), Ok(name.to_owned()));
+        }
+        for name in ["interp", "native", "metal@x", "lavapipe"] {
+            assert!(name.parse::<ShaderRoute>().is_err(), "{name}");
+        }
+    }
+}
