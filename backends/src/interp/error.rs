@@ -52,6 +52,48 @@ pub enum InterpError {
         /// Bytes given.
         found: usize,
     },
+    /// An entry point uses a texture that was not given.
+    #[error("no texture was given for `{name}` (group {group}, binding {binding})")]
+    MissingTexture {
+        /// Name of the variable.
+        name: String,
+        /// Its group.
+        group: u32,
+        /// Its binding within the group.
+        binding: u32,
+    },
+    /// An entry point uses a sampler that was not given.
+    #[error("no sampler was given for `{name}` (group {group}, binding {binding})")]
+    MissingSampler {
+        /// Name of the variable.
+        name: String,
+        /// Its group.
+        group: u32,
+        /// Its binding within the group.
+        binding: u32,
+    },
+    /// A texture is not what its variable wants.
+    #[error("`{name}` is {expected}; it cannot be {found}")]
+    TextureMisfit {
+        /// Name of the variable.
+        name: String,
+        /// What it is.
+        expected: String,
+        /// Shape of the texture given.
+        found: String,
+    },
+    /// A sampler compares where its variable does not, or the reverse.
+    #[error(
+        "`{name}` is a {} sampler; give it one {} comparison",
+        if *comparison { "comparison" } else { "filtering" },
+        if *comparison { "with a" } else { "without" }
+    )]
+    SamplerMisfit {
+        /// Name of the variable.
+        name: String,
+        /// Whether it compares.
+        comparison: bool,
+    },
     /// Some invocations of a workgroup reached a barrier that others did not.
     #[error("a barrier in `{function}` is reached by a part of the workgroup only")]
     NonUniformBarrier {

@@ -37,6 +37,8 @@ mod resources;
 mod scalar;
 mod shadow;
 mod strict;
+mod subgroup;
+mod texture;
 
 pub use dispatch::Buffer;
 pub use error::InterpError;
@@ -58,12 +60,16 @@ const SHADOW_LANES: usize = 64;
 /// Rounds of loops that a batch may run, unless [`Interpreter::with_fuel`] says otherwise.
 const FUEL: u64 = 1 << 24;
 
+/// Invocations of a subgroup, unless [`Interpreter::with_subgroup_size`] says otherwise: what most GPUs have.
+const SUBGROUP: u32 = 32;
+
 /// Executes the functions and entry points of a module.
 #[derive(Debug, Clone)]
 pub struct Interpreter<'m> {
     module: &'m ValidModule,
     fuel: u64,
     isa: Isa,
+    subgroup: u32,
 }
 
 /// Results of the shadow lane.
@@ -107,7 +113,7 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// None yet: what is not supported is reported when it is met.
     pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
-        Ok(Self { module, fuel: FUEL, isa: Isa::best() })
+        Ok(Self { module, fuel: FUEL, isa: Isa::best(), subgroup: SUBGROUP })
     }
 
     /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
@@ -121,6 +127,14 @@ impl<'m> Interpreter<'m> {
     pub fn with_isa(self, isa: Isa) -> Self {
         let isa = if Isa::available().contains(&isa) { isa } else { self.isa };
         Self { isa, ..self }
+    }
+
+    /// The same, but with so many invocations in a subgroup: a power of two from 4 to 128, to which others are rounded
+    /// up or clamped. Subgroups are consecutive invocations of a workgroup.
+    #[must_use]
+    pub fn with_subgroup_size(self, invocations: u32) -> Self {
+        let subgroup = invocations.clamp(4, fast::LANES as u32).next_power_of_two();
+        Self { subgroup, ..self }
     }
 
     /// Calls function `f` on every row, in strict f32: one column of words for each scalar of the arguments,
@@ -253,8 +267,13 @@ impl<'m> Interpreter<'m> {
         let program = lower::entry(self.module, entry)?;
         let packed = !program.cooperative;
         let code = fast::Code::new(program, packed, self.isa)?;
-        let dispatch =
-            fast::dispatch::Dispatch { code: &code, size: point.workgroup_size, groups, fuel: self.fuel };
-        dispatch.run(resources.into().buffers)
+        let dispatch = fast::dispatch::Dispatch {
+            code: &code,
+            size: point.workgroup_size,
+            groups,
+            fuel: self.fuel,
+            subgroup: self.subgroup,
+        };
+        dispatch.run(resources.into())
     }
 }

@@ -2,7 +2,6 @@
 //!
 //! A [`Texture`] is what a shader's variable sees, levels and layers and all: an executor makes of it whatever its
 //! machine calls a texture and a view.
-#![allow(dead_code, reason = "executors come to use it")]
 
 mod code;
 mod format;

@@ -44,9 +44,7 @@ impl Scan<'_> {
             let mut operands = Vec::new();
             stmt.operands(&mut |v| operands.push(v));
             operands.into_iter().for_each(|v| self.touch(v));
-            if let Some(to) = stmt.target() {
-                self.touch(Value::Reg(to));
-            }
+            stmt.targets().for_each(|to| self.touch(Value::Reg(to)));
             self.inner(stmt);
         }
     }
@@ -71,6 +69,8 @@ impl Scan<'_> {
             | Stmt::Set { .. }
             | Stmt::Store { .. }
             | Stmt::Atomic(_)
+            | Stmt::Texture(_)
+            | Stmt::Subgroup(_)
             | Stmt::Leave(_)
             | Stmt::Barrier { .. } => {}
         }

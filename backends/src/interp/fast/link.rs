@@ -9,7 +9,7 @@ use super::super::program::{Block, Program, Scalar, Stmt, Value};
 use super::allocate::{Allocation, allocate};
 use super::ops;
 use super::shape::{Body, exec};
-use super::{Code, Inst, Isa, machine};
+use super::{Code, Inst, Isa, machine, together};
 use flow::{Mask, Region};
 use std::collections::HashSet;
 
@@ -25,6 +25,7 @@ struct Linker<'p, const N: usize> {
     /// A cell that holds zero.
     zero: u32,
     insts: Vec<Inst<N>>,
+    calls: together::Calls,
     /// Counts blocks as `passes::uniform` does.
     blocks: u32,
     regions: Vec<Region>,
@@ -62,14 +63,15 @@ pub(super) fn link<const N: usize>(program: Program, masks: &Masks, isa: Isa) ->
         places,
         zero,
         insts: Vec::new(),
+        calls: together::Calls::default(),
         blocks: 0,
         regions: Vec::new(),
         cleared: HashSet::new(),
     };
     linker.whole(&arrays)?;
     let results = program.results.iter().map(|v| (*v, linker.place(*v), program.varying(*v))).collect();
-    let insts = linker.insts;
-    Ok(Code { insts, narrow, wide, cells, results, program })
+    let (insts, calls) = (linker.insts, linker.calls.into());
+    Ok(Code { insts, calls, narrow, wide, cells, results, program })
 }
 
 impl<const N: usize> Linker<'_, N> {
@@ -130,6 +132,14 @@ impl<const N: usize> Linker<'_, N> {
             }
             Stmt::Store { place, value, .. } => self.store(*place, *value, mask, arrays),
             Stmt::Atomic(atomic) => self.atomic(atomic, mask),
+            Stmt::Texture(access) => {
+                self.texture(access, mask);
+                Ok(())
+            }
+            Stmt::Subgroup(subgroup) => {
+                self.subgroup(subgroup, mask);
+                Ok(())
+            }
             Stmt::If { condition, accept, reject } => {
                 if self.program.varying(*condition) {
                     self.part(*condition, accept, reject, mask, arrays)

@@ -2,7 +2,10 @@
 #![allow(unsafe_code, reason = "slots are reached by pointers, so that results and operands are known apart")]
 
 use super::super::program::Program;
+use super::together::{BoundImage, Calls, Operand};
 use super::{Code, Stop};
+use crate::texture::Sampler;
+use std::sync::Arc;
 
 /// The lanes of a slot, where vector loads like them.
 #[derive(Clone, Copy)]
@@ -26,6 +29,8 @@ pub(crate) struct Position {
     /// Size of a workgroup and number of workgroups.
     pub(super) size: [u32; 3],
     pub(super) groups: [u32; 3],
+    /// Lanes of a subgroup: a power of two, at most a batch.
+    pub(super) subgroup: u32,
 }
 
 /// A batch on its way through code.
@@ -34,6 +39,9 @@ pub(crate) struct Machine<const N: usize> {
     wide: Vec<Slot<u64, N>>,
     cells: Vec<u64>,
     pub(super) buffers: Vec<Bound>,
+    pub(super) images: Vec<BoundImage>,
+    pub(super) samplers: Vec<Sampler>,
+    pub(super) calls: Arc<Calls>,
     pub(super) columns: Vec<*const u32>,
     pub(super) position: Position,
     /// Rounds of loops left.
@@ -48,6 +56,9 @@ impl<const N: usize> Machine<N> {
             wide: vec![Slot([0; N]); code.wide],
             cells: code.cells.clone(),
             buffers: Vec::new(),
+            images: Vec::new(),
+            samplers: Vec::new(),
+            calls: Arc::clone(&code.calls),
             columns: Vec::new(),
             position: Position::default(),
             fuel,
@@ -77,6 +88,32 @@ impl<const N: usize> Machine<N> {
     #[inline(always)]
     pub(super) fn cells(&mut self) -> *mut u64 {
         self.cells.as_mut_ptr()
+    }
+
+    /// Whether a lane is on in a mask.
+    pub(super) fn active(&self, mask: u32, lane: usize) -> bool {
+        self.narrow[mask as usize].0[lane] != 0
+    }
+
+    /// The bits of an operand in a lane; a signed integer fills all 64.
+    pub(super) fn operand(&self, operand: Operand, lane: usize) -> u64 {
+        let place = operand.place as usize;
+        let bits = match (operand.varying, operand.scalar.wide()) {
+            (false, _) => self.cells[place],
+            (true, true) => self.wide[place].0[lane],
+            (true, false) => self.narrow[place].0[lane].into(),
+        };
+        let narrow = operand.scalar.signed() && !operand.scalar.wide();
+        if narrow { i64::from(bits as u32 as i32) as u64 } else { bits }
+    }
+
+    /// Sets a lane of a slot, which is wide or not.
+    pub(super) fn set_result(&mut self, (slot, wide): (u32, bool), lane: usize, bits: u64) {
+        if wide {
+            self.wide[slot as usize].0[lane] = bits;
+        } else {
+            self.narrow[slot as usize].0[lane] = bits as u32;
+        }
     }
 
     /// The bits of a result in the first lanes; a boolean is 0 or 1 outside.

@@ -307,6 +307,8 @@ impl<const N: usize> Machine<N> {
                 1 => group[axis].wrapping_mul(p.size[axis]).wrapping_add(local[axis]),
                 2 => local[axis],
                 3 => index,
+                5 => index % p.subgroup.max(1),
+                6 => index / p.subgroup.max(1),
                 _ => group[axis],
             };
         });
@@ -348,7 +350,9 @@ pub(super) fn input(input: Input) -> Option<[u32; 2]> {
         Input::LocalInvocationId(axis) => Some([2, axis.into()]),
         Input::LocalInvocationIndex => Some([3, 0]),
         Input::WorkGroupId(axis) => Some([4, axis.into()]),
-        Input::NumWorkGroups(_) | Input::WorkGroupSize(_) => None,
+        Input::SubgroupInvocationId => Some([5, 0]),
+        Input::SubgroupId => Some([6, 0]),
+        Input::NumWorkGroups(_) | Input::WorkGroupSize(_) | Input::SubgroupSize | Input::NumSubgroups => None,
     }
 }
 
@@ -363,6 +367,8 @@ impl<const N: usize> Body<N> for ProvideSame {
         let value = match i.n[0] {
             0 => p.groups[axis],
             1 => p.size[axis],
+            3 => p.subgroup,
+            4 => p.size.iter().product::<u32>().div_ceil(p.subgroup.max(1)),
             _ => {
                 let volume: usize = p.size.iter().map(|n| *n as usize).product();
                 let at = p.first / volume.max(1);

@@ -4,7 +4,7 @@
 //! - [`machine`] holds the registers of one batch: an array of lanes each, or one cell where lanes agree.
 //! - [`shape`] turns a function of numbers into an operation on lanes, in all forms of its operands.
 //! - [`ops`] are these functions, a family a file, [`memory`] loads, stores and atomics, [`control`] jumps and
-//!   masks.
+//!   masks, [`together`] textures and subgroups.
 //! - [`allocate`] gives registers their slots, [`link`] makes a program into [`code`](Code): a list of function
 //!   pointers with their operands.
 //! - [`rows`] runs code on rows of arguments, [`dispatch`] on workgroups over buffers.
@@ -23,6 +23,7 @@ mod memory;
 mod ops;
 pub(super) mod rows;
 mod shape;
+mod together;
 
 pub use isa::Isa;
 
@@ -54,6 +55,7 @@ pub(super) struct Code<const N: usize> {
     cells: Vec<u64>,
     /// Slot or cell of each result, and whether it is a slot.
     results: Vec<(Value, u32, bool)>,
+    calls: std::sync::Arc<together::Calls>,
     pub(super) program: Program,
 }
 

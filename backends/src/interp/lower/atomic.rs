@@ -52,7 +52,7 @@ impl<'m> Lowerer<'m> {
     }
 }
 
-fn update(fun: &AtomicFunction) -> Update {
+pub(super) fn update(fun: &AtomicFunction) -> Update {
     match fun {
         AtomicFunction::Add => Update::Add,
         AtomicFunction::Subtract => Update::Subtract,

@@ -35,6 +35,8 @@ impl Builder {
                 constants: Vec::new(),
                 arrays: Vec::new(),
                 buffers: Vec::new(),
+                images: Vec::new(),
+                samplers: Vec::new(),
                 body: Block::new(),
                 results: Vec::new(),
                 cooperative: false,

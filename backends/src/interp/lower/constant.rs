@@ -183,6 +183,9 @@ impl<'m> Lowerer<'m> {
         if !in_entry {
             return Ok(None);
         }
+        if let Some(item) = self.texture_variable(variable)? {
+            return Ok(Some(item));
+        }
         let pointer = self.shared(variable)?.ok_or(malformed("an image is used as memory"));
         Ok(pointer.ok().map(Item::Pointer))
     }

@@ -145,7 +145,7 @@ impl<'m> Lowerer<'m> {
                 Variable::Global(index) => self.globals[index],
                 Variable::Parameter(index) => match &frame.arguments[index as usize] {
                     super::Item::Pointer(pointer) => Some(*pointer),
-                    super::Item::Values(_) => None,
+                    super::Item::Values(_) | super::Item::Image(_) | super::Item::Sampler(_) => None,
                 },
             };
             if let Some(pointer) = pointer

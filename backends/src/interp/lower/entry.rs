@@ -9,6 +9,16 @@ use super::{Lowerer, malformed};
 use lobe_codegen::module::Scope;
 use naga::{AddressSpace, Binding, BuiltIn, Function, GlobalVariable, Handle, StorageAccess, TypeInner};
 
+fn subgroup_input(binding: &Binding) -> Option<Input> {
+    match binding {
+        Binding::BuiltIn(BuiltIn::SubgroupInvocationId) => Some(Input::SubgroupInvocationId),
+        Binding::BuiltIn(BuiltIn::SubgroupId) => Some(Input::SubgroupId),
+        Binding::BuiltIn(BuiltIn::SubgroupSize) => Some(Input::SubgroupSize),
+        Binding::BuiltIn(BuiltIn::NumSubgroups) => Some(Input::NumSubgroups),
+        Binding::BuiltIn(_) | Binding::Location { .. } => None,
+    }
+}
+
 impl<'m> Lowerer<'m> {
     /// What is being lowered.
     pub(crate) fn entry(&self) -> Option<Scope> {
@@ -61,6 +71,9 @@ impl<'m> Lowerer<'m> {
             Input::LocalInvocationId
         } else if wanted(BuiltIn::LocalInvocationIndex) {
             return Ok(vec![self.input(Input::LocalInvocationIndex, Scalar::U32)]);
+        } else if let Some(input) = subgroup_input(binding) {
+            self.b.program.cooperative = true;
+            return Ok(vec![self.input(input, Scalar::U32)]);
         } else if wanted(BuiltIn::WorkGroupId) {
             Input::WorkGroupId
         } else if wanted(BuiltIn::NumWorkGroups) {

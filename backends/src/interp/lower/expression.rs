@@ -53,6 +53,9 @@ impl<'m> Lowerer<'m> {
             Expression::As { expr, kind, convert } => {
                 Ok(Item::values(self.cast(frame, expr, kind, convert)?))
             }
+            Expression::ImageSample { .. } | Expression::ImageLoad { .. } | Expression::ImageQuery { .. } => {
+                self.read_texture(frame, handle)
+            }
             ref other @ (Expression::Literal(_)
             | Expression::Constant(_)
             | Expression::Override(_)
@@ -60,9 +63,6 @@ impl<'m> Lowerer<'m> {
             | Expression::FunctionArgument(_)
             | Expression::GlobalVariable(_)
             | Expression::LocalVariable(_)
-            | Expression::ImageSample { .. }
-            | Expression::ImageLoad { .. }
-            | Expression::ImageQuery { .. }
             | Expression::Derivative { .. }
             | Expression::CallResult(_)
             | Expression::AtomicResult { .. }

@@ -15,6 +15,10 @@ pub(crate) enum Item {
     Values(Rc<[Value]>),
     /// A place in memory.
     Pointer(Pointer),
+    /// A texture, of [`super::Program::images`].
+    Image(u32),
+    /// A sampler, of [`super::Program::samplers`].
+    Sampler(u32),
 }
 
 impl Item {
@@ -73,7 +77,9 @@ impl<'m> Frame<'m> {
     pub(crate) fn data(&self, expression: Handle<Expression>) -> Res<Rc<[Value]>> {
         match &self.values[expression.index()] {
             Some(Item::Values(values)) => Ok(values.clone()),
-            Some(Item::Pointer(_)) => Err(malformed("a pointer is used as a value")),
+            Some(Item::Pointer(_) | Item::Image(_) | Item::Sampler(_)) => {
+                Err(malformed("a pointer or a texture is used as a value"))
+            }
             None => Err(self.missing(expression)),
         }
     }
@@ -86,14 +92,36 @@ impl<'m> Frame<'m> {
     pub(crate) fn pointer(&self, expression: Handle<Expression>) -> Res<Pointer> {
         match &self.values[expression.index()] {
             Some(Item::Pointer(pointer)) => Ok(*pointer),
-            Some(Item::Values(_)) => Err(malformed("a value is used as a pointer")),
+            Some(Item::Values(_) | Item::Image(_) | Item::Sampler(_)) => {
+                Err(malformed("a value or a texture is used as a pointer"))
+            }
+            None => Err(self.missing(expression)),
+        }
+    }
+
+    pub(crate) fn image(&self, expression: Handle<Expression>) -> Res<u32> {
+        match &self.values[expression.index()] {
+            Some(Item::Image(image)) => Ok(*image),
+            Some(Item::Values(_) | Item::Pointer(_) | Item::Sampler(_)) => {
+                Err(malformed("something else is used as a texture"))
+            }
+            None => Err(self.missing(expression)),
+        }
+    }
+
+    pub(crate) fn sampler(&self, expression: Handle<Expression>) -> Res<u32> {
+        match &self.values[expression.index()] {
+            Some(Item::Sampler(sampler)) => Ok(*sampler),
+            Some(Item::Values(_) | Item::Pointer(_) | Item::Image(_)) => {
+                Err(malformed("something else is used as a sampler"))
+            }
             None => Err(self.missing(expression)),
         }
     }
 
     fn missing(&self, expression: Handle<Expression>) -> InterpError {
         if let Expression::GlobalVariable(_) = self.function.expressions[expression] {
-            self.unsupported("a buffer or workgroup memory outside of a dispatch")
+            self.unsupported("a buffer, a texture or workgroup memory outside of a dispatch")
         } else {
             malformed("an expression is used before it is emitted")
         }

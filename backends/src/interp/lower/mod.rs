@@ -9,7 +9,7 @@
 //! - `control` turns statements to structured control flow; `call` enters functions.
 //! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
 //! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
-//!   `geometry`, `matrix`, `integer`, `packing`.
+//!   `geometry`, `matrix`, `integer`, `packing`, `texture`.
 //!
 //! The operations, their names and their order are those of the native functions, so that results agree bit
 //! for bit.
@@ -35,6 +35,8 @@ mod packing;
 mod relational;
 mod scan;
 mod statement;
+mod subgroup;
+mod texture;
 
 use layout::Types;
 

@@ -24,6 +24,11 @@ impl<'m> Lowerer<'m> {
             Statement::Break => self.jump(Purpose::Break),
             Statement::Continue => self.jump(Purpose::Continue),
             Statement::Return { value } => self.give_back(frame, *value),
+            Statement::ControlBarrier(naga::Barrier::SUB_GROUP) => {
+                // The lanes of a subgroup are never apart.
+                self.b.touch();
+                Ok(Flow::Falls)
+            }
             Statement::ControlBarrier(_) => Ok(self.barrier(frame)),
             Statement::MemoryBarrier(_) => Ok(Flow::Falls),
             Statement::Store { pointer, value } => {
@@ -44,14 +49,20 @@ impl<'m> Lowerer<'m> {
                 self.call(frame, *function, arguments, *result)
             }
             Statement::Kill => Err(frame.unsupported("Statement::Kill")),
-            Statement::ImageStore { .. } => Err(frame.unsupported("Statement::ImageStore")),
-            Statement::ImageAtomic { .. } => Err(frame.unsupported("Statement::ImageAtomic")),
+            Statement::ImageStore { image, coordinate, array_index, value } => {
+                self.store_texel(frame, [*image, *coordinate, *value], *array_index)
+            }
+            Statement::ImageAtomic { image, coordinate, array_index, fun, value } => {
+                self.update_texel(frame, [*image, *coordinate, *value], *array_index, *fun)
+            }
             Statement::RayQuery { .. } => Err(frame.unsupported("Statement::RayQuery")),
             Statement::RayPipelineFunction(_) => Err(frame.unsupported("Statement::RayPipelineFunction")),
-            Statement::SubgroupBallot { .. } => Err(frame.unsupported("Statement::SubgroupBallot")),
-            Statement::SubgroupGather { .. } => Err(frame.unsupported("Statement::SubgroupGather")),
-            Statement::SubgroupCollectiveOperation { .. } => {
-                Err(frame.unsupported("Statement::SubgroupCollectiveOperation"))
+            Statement::SubgroupBallot { result, predicate } => self.ballot(frame, *predicate, *result),
+            Statement::SubgroupGather { mode, argument, result } => {
+                self.gather(frame, *mode, *argument, *result)
+            }
+            Statement::SubgroupCollectiveOperation { op, collective_op, argument, result } => {
+                self.collect(frame, *op, *collective_op, *argument, *result)
             }
             Statement::CooperativeStore { .. } => Err(frame.unsupported("Statement::CooperativeStore")),
         }

@@ -27,8 +27,9 @@ fn needed(program: &Program) -> Vec<bool> {
     };
     open.extend(program.results.iter().filter_map(|v| reg(*v)));
     walk(&program.body, &mut |stmt| match stmt {
-        Stmt::Eval(_) | Stmt::Set { .. } => {
-            if let Some(Reg(to)) = stmt.target() {
+        Stmt::Texture(access) if access.op.writes() => stmt.operands(&mut |v| open.extend(reg(v))),
+        Stmt::Eval(_) | Stmt::Set { .. } | Stmt::Texture(_) | Stmt::Subgroup(_) => {
+            for Reg(to) in stmt.targets() {
                 stmt.operands(&mut |v| sources[to as usize].extend(reg(v)));
             }
         }
@@ -56,7 +57,13 @@ fn sweep(block: &mut Block, needed: &[bool]) -> bool {
             removed |= sweep(inner, needed);
         }
         match stmt {
-            Stmt::Eval(_) | Stmt::Set { .. } => stmt.target().is_some_and(|Reg(to)| needed[to as usize]),
+            Stmt::Eval(_) | Stmt::Set { .. } | Stmt::Subgroup(_) => {
+                stmt.targets().any(|Reg(to)| needed[to as usize])
+            }
+            Stmt::Texture(access) => {
+                access.to = access.to.map(|to| to.filter(|Reg(to)| needed[*to as usize]));
+                access.op.writes() || access.to.iter().any(Option::is_some)
+            }
             Stmt::If { accept, reject, .. } => {
                 let empty = accept.is_empty() && reject.is_empty();
                 removed |= empty;

@@ -29,6 +29,8 @@ fn flatten_block(block: &mut Block) {
             | Stmt::Set { .. }
             | Stmt::Store { .. }
             | Stmt::Atomic(_)
+            | Stmt::Texture(_)
+            | Stmt::Subgroup(_)
             | Stmt::Loop { .. }
             | Stmt::Scope { .. }
             | Stmt::Leave(_)
@@ -45,6 +47,8 @@ fn cost(block: &Block) -> Option<u32> {
         Stmt::Set { .. }
         | Stmt::Store { .. }
         | Stmt::Atomic(_)
+        | Stmt::Texture(_)
+        | Stmt::Subgroup(_)
         | Stmt::If { .. }
         | Stmt::Loop { .. }
         | Stmt::Scope { .. }

@@ -36,6 +36,8 @@ impl Fold {
                 Stmt::Set { .. }
                 | Stmt::Store { .. }
                 | Stmt::Atomic(_)
+                | Stmt::Texture(_)
+                | Stmt::Subgroup(_)
                 | Stmt::Loop { .. }
                 | Stmt::Scope { .. }
                 | Stmt::Leave(_)

@@ -83,10 +83,8 @@ impl Pass<'_> {
                     self.varies(*to);
                 }
             }
-            Stmt::Atomic(atomic) => {
-                if let Some(old) = atomic.old {
-                    self.varies(old);
-                }
+            Stmt::Atomic(_) | Stmt::Texture(_) | Stmt::Subgroup(_) => {
+                stmt.targets().for_each(|to| self.varies(to));
             }
             Stmt::If { accept, reject, .. } => {
                 for arm in [accept, reject] {
@@ -124,9 +122,14 @@ impl Pass<'_> {
                 Input::Column(_)
                 | Input::GlobalInvocationId(_)
                 | Input::LocalInvocationId(_)
-                | Input::LocalInvocationIndex => true,
+                | Input::LocalInvocationIndex
+                | Input::SubgroupInvocationId
+                | Input::SubgroupId => true,
                 Input::WorkGroupId(_) => self.packed,
-                Input::NumWorkGroups(_) | Input::WorkGroupSize(_) => false,
+                Input::NumWorkGroups(_)
+                | Input::WorkGroupSize(_)
+                | Input::SubgroupSize
+                | Input::NumSubgroups => false,
             },
             Op::Load { place, .. } => matches!(place, Place::Lane { .. }),
             Op::Copy(_)

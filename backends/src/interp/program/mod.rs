@@ -5,9 +5,10 @@
 //! what a number is, can run the same programs.
 //!
 //! - Vectors, matrices, arrays and structures are their scalars; calls are inlined; pointers are resolved.
-//! - A [`Value`] is a constant or a register. A register is computed by one statement ([`Stmt::Eval`],
-//!   [`Stmt::Atomic`]) in all lanes, needed or not, since operations are pure and total; or it is *kept*
-//!   across the rounds of a loop and assigned by [`Stmt::Set`], in the active lanes only.
+//! - A [`Value`] is a constant or a register. A register is computed by one statement: by [`Stmt::Eval`] in all lanes,
+//!   needed or not, since operations are pure and total; by [`Stmt::Atomic`], [`Stmt::Texture`] and
+//!   [`Stmt::Subgroup`] in the active lanes. Or it is *kept* across the rounds of a loop and assigned by
+//!   [`Stmt::Set`], in the active lanes only.
 //! - Where two ways of a branch meet, [`Op::Select`] takes each lane's value from the arm that it took.
 //!   The other arm may not have run at all; what its registers then hold does not matter.
 //! - A register is *uniform* or *varying* (`passes::uniform`): the same in all lanes that a batch runs, or one
@@ -17,10 +18,14 @@
 
 pub(crate) mod memory;
 pub(crate) mod op;
+pub(crate) mod subgroup;
 pub(crate) mod text;
+pub(crate) mod texture;
 
 pub(crate) use memory::{Buffer, Count, LaneArray, Place};
 pub(crate) use op::{Op, Scalar};
+pub(crate) use subgroup::Subgroup;
+pub(crate) use texture::{Access, Image, SamplerVariable};
 
 use naga::Span;
 
@@ -120,6 +125,10 @@ pub(crate) enum Stmt {
     },
     /// Replaces a word of memory in the active lanes, one after the other; `old` takes what it was.
     Atomic(Atomic),
+    /// Uses a texture in the active lanes, one after the other.
+    Texture(Box<Access>),
+    /// The active lanes of each subgroup exchange values.
+    Subgroup(Subgroup),
     /// The active lanes run one arm or the other.
     If { condition: Value, accept: Block, reject: Block },
     /// Repeats `body` until no lane is left in it; [`Stmt::Leave`] leaves. `function` names it in messages.
@@ -173,10 +182,13 @@ pub(crate) struct Program {
     pub(crate) arrays: Vec<LaneArray>,
     /// Memory that lanes share.
     pub(crate) buffers: Vec<Buffer>,
+    pub(crate) images: Vec<Image>,
+    pub(crate) samplers: Vec<SamplerVariable>,
     pub(crate) body: Block,
     /// The result's scalars.
     pub(crate) results: Vec<Value>,
-    /// Whether invocations of a workgroup depend on each other: barriers, workgroup memory.
+    /// Whether invocations of a workgroup depend on each other: barriers, workgroup memory,
+    /// subgroups.
     pub(crate) cooperative: bool,
 }
 
@@ -219,24 +231,35 @@ impl Stmt {
                 f(atomic.value);
                 atomic.expected.into_iter().for_each(f);
             }
+            Self::Texture(access) => {
+                access.operands.map(f);
+            }
+            Self::Subgroup(subgroup) => {
+                f(subgroup.value);
+                subgroup.index.into_iter().for_each(f);
+            }
             Self::If { condition, .. } => f(*condition),
             Self::Loop { .. } | Self::Scope { .. } | Self::Leave(_) | Self::Barrier { .. } => {}
         }
     }
 
-    /// The register that it computes or assigns.
-    pub(crate) fn target(&self) -> Option<Reg> {
-        match self {
-            Self::Eval(eval) => Some(eval.to),
-            Self::Set { to, .. } => Some(*to),
-            Self::Atomic(atomic) => atomic.old,
+    /// The registers that it computes or assigns.
+    pub(crate) fn targets(&self) -> impl Iterator<Item = Reg> {
+        let one = |reg| [reg, None, None, None];
+        let targets = match self {
+            Self::Eval(eval) => one(Some(eval.to)),
+            Self::Set { to, .. } => one(Some(*to)),
+            Self::Atomic(atomic) => one(atomic.old),
+            Self::Texture(access) => access.to,
+            Self::Subgroup(subgroup) => one(Some(subgroup.to)),
             Self::Store { .. }
             | Self::If { .. }
             | Self::Loop { .. }
             | Self::Scope { .. }
             | Self::Leave(_)
-            | Self::Barrier { .. } => None,
-        }
+            | Self::Barrier { .. } => [None; 4],
+        };
+        targets.into_iter().flatten()
     }
 
     /// The blocks within it.
@@ -248,6 +271,8 @@ impl Stmt {
             | Self::Set { .. }
             | Self::Store { .. }
             | Self::Atomic(_)
+            | Self::Texture(_)
+            | Self::Subgroup(_)
             | Self::Leave(_)
             | Self::Barrier { .. } => [None, None],
         }
@@ -262,6 +287,8 @@ impl Stmt {
             | Self::Set { .. }
             | Self::Store { .. }
             | Self::Atomic(_)
+            | Self::Texture(_)
+            | Self::Subgroup(_)
             | Self::Leave(_)
             | Self::Barrier { .. } => [None, None],
         }

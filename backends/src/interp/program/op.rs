@@ -179,6 +179,10 @@ pub(crate) enum Input {
     WorkGroupId(u8),
     NumWorkGroups(u8),
     WorkGroupSize(u8),
+    SubgroupInvocationId,
+    SubgroupId,
+    SubgroupSize,
+    NumSubgroups,
 }
 
 /// A binary operation of a [`Op::Fused`] pair.

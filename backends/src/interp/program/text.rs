@@ -40,8 +40,9 @@ fn block(program: &Program, stmts: &Block, depth: usize, f: &mut Formatter<'_>) 
 }
 
 fn statement(program: &Program, stmt: &Stmt, f: &mut Formatter<'_>) -> Result {
-    if let Some(to) = stmt.target() {
-        write!(f, "{} = ", name(program, Value::Reg(to)))?;
+    let targets: Vec<Value> = stmt.targets().map(Value::Reg).collect();
+    if !targets.is_empty() {
+        write!(f, "{} = ", list(program, &targets))?;
     }
     match stmt {
         Stmt::Eval(eval) => write!(f, "{:?} {}", eval.op, list(program, &eval.args))?,
@@ -50,6 +51,12 @@ fn statement(program: &Program, stmt: &Stmt, f: &mut Formatter<'_>) -> Result {
         Stmt::Atomic(atomic) => {
             write!(f, "atomic {:?} {:?} {}", atomic.fun, atomic.place, name(program, atomic.value))?;
         }
+        Stmt::Texture(access) => {
+            let mut operands = Vec::new();
+            access.operands.map(|v| operands.push(v));
+            write!(f, "texture {} {:?} {}", access.image, access.op, list(program, &operands))?;
+        }
+        Stmt::Subgroup(s) => write!(f, "subgroup {:?} {}", s.op, name(program, s.value))?,
         Stmt::If { condition, .. } => write!(f, "if {}", name(program, *condition))?,
         Stmt::Loop { label, .. } => write!(f, "loop {}", label.0)?,
         Stmt::Scope { label, .. } => write!(f, "scope {}", label.0)?,

@@ -2,10 +2,14 @@
 //!
 //! It cannot if each buffer that is written is either used by each invocation at a place of its own, the element
 //! at its number, or changed by nothing but atomics that commute and whose former word nobody asks for.
+//! Likewise for textures that are written: each invocation has a texel of its own, at its number.
 //! Indices are clamped, so invocations beyond the last element share it: only those before have it to themselves.
 
 use super::super::super::program::op::Input;
-use super::super::super::program::{Block, Count, Eval, Op, Place, Program, Reg, Stmt, Update, Value};
+use super::super::super::program::texture::TextureOp;
+use super::super::super::program::{
+    Access, Block, Count, Eval, Op, Place, Program, Reg, Scalar, Stmt, Update, Value,
+};
 use std::collections::{HashMap, HashSet};
 
 #[derive(Default)]
@@ -24,11 +28,14 @@ pub(super) struct Elements {
 }
 
 /// The arrays whose elements invocations have to themselves: those with a number below the length of each may run in
-/// any order, or at once. `None`: all in turn. `line`: invocations are numbered along one axis.
-pub(super) fn free(program: &Program, line: bool) -> Option<Vec<Elements>> {
+/// any order, or at once. `None`: all in turn. `wide`: the axes along which there are several invocations.
+pub(super) fn free(program: &Program, wide: [bool; 3]) -> Option<Vec<Elements>> {
     let mut uses: HashMap<u32, Uses> = HashMap::new();
-    let mut evals = HashMap::new();
-    note(&program.body, &mut uses, &mut evals);
+    let (mut evals, mut texels) = (HashMap::new(), Vec::new());
+    note(&program.body, &mut uses, &mut evals, &mut texels);
+    let line = !wide[1] && !wide[2];
+    let mut written = texels.iter().filter(|access| program.images[access.image as usize].written);
+    written.all(|access| own_texel(access, &evals, wide)).then_some(())?;
     let mut arrays = Vec::new();
     for (buffer, uses) in &uses {
         let shared = program.buffers[*buffer as usize].binding.is_some();
@@ -49,7 +56,12 @@ pub(super) fn free(program: &Program, line: bool) -> Option<Vec<Elements>> {
     Some(arrays)
 }
 
-fn note<'p>(block: &'p Block, uses: &mut HashMap<u32, Uses>, evals: &mut HashMap<Reg, &'p Eval>) {
+fn note<'p>(
+    block: &'p Block,
+    uses: &mut HashMap<u32, Uses>,
+    evals: &mut HashMap<Reg, &'p Eval>,
+    texels: &mut Vec<&'p Access>,
+) {
     for stmt in block {
         match stmt {
             Stmt::Eval(eval) => {
@@ -69,7 +81,9 @@ fn note<'p>(block: &'p Block, uses: &mut HashMap<u32, Uses>, evals: &mut HashMap
                     uses.ordered |= swaps || atomic.old.is_some();
                 }
             }
+            Stmt::Texture(access) => texels.push(access),
             Stmt::Store { place: Place::Lane { .. }, .. }
+            | Stmt::Subgroup(_)
             | Stmt::Set { .. }
             | Stmt::If { .. }
             | Stmt::Loop { .. }
@@ -77,7 +91,7 @@ fn note<'p>(block: &'p Block, uses: &mut HashMap<u32, Uses>, evals: &mut HashMap
             | Stmt::Leave(_)
             | Stmt::Barrier { .. } => {}
         }
-        stmt.blocks().into_iter().flatten().for_each(|inner| note(inner, uses, evals));
+        stmt.blocks().into_iter().flatten().for_each(|inner| note(inner, uses, evals, texels));
     }
 }
 
@@ -97,4 +111,30 @@ fn own(place: &Place, evals: &HashMap<Reg, &Eval>) -> Option<Elements> {
         }
         _ => None,
     }
+}
+
+/// Whether each invocation uses another texel: its number along each wide axis is among the coordinates.
+fn own_texel(access: &Access, evals: &HashMap<Reg, &Eval>, wide: [bool; 3]) -> bool {
+    let number = |value: Value| {
+        let Value::Reg(reg) = value else {
+            return None;
+        };
+        let mut eval = *evals.get(&reg)?;
+        if let (
+            Op::Convert(Scalar::U32, Scalar::I32) | Op::Bitcast(Scalar::U32, Scalar::I32),
+            [Value::Reg(of)],
+        ) = (eval.op, &eval.args[..])
+        {
+            eval = *evals.get(of)?;
+        }
+        match eval.op {
+            Op::Input(Input::GlobalInvocationId(axis), _) => Some(usize::from(axis)),
+            _ => None,
+        }
+    };
+    let coordinates = access.operands.place.into_iter().chain([access.operands.layer]).flatten();
+    let axes: Vec<usize> = coordinates.filter_map(number).collect();
+    matches!(access.op, TextureOp::Load | TextureOp::Store)
+        && (0..3).all(|axis| !wide[axis] || axes.contains(&axis))
+        || matches!(access.op, TextureOp::Size | TextureOp::Levels | TextureOp::Layers | TextureOp::Samples)
 }

@@ -2,9 +2,10 @@
 
 use super::super::super::error::Res;
 use super::super::super::program::op::Input;
-use super::super::super::program::{Atomic, Count, Eval, Op, Place, Reg, Value};
+use super::super::super::program::{Access, Atomic, Count, Eval, Op, Place, Reg, Subgroup, Value};
 use super::super::control::Blend;
 use super::super::shape::{Ask, Each, Same, exec};
+use super::super::together::{self, Operand, SubgroupCall, TextureCall};
 use super::super::{Inst, memory, ops};
 use super::flow::Mask;
 use super::{COPIES, Linker, wide};
@@ -72,10 +73,14 @@ impl<const N: usize> Linker<'_, N> {
                 let (which, axis) = match input {
                     Input::NumWorkGroups(axis) => (0, axis.into()),
                     Input::WorkGroupSize(axis) => (1, axis.into()),
+                    Input::SubgroupSize => (3, 0),
+                    Input::NumSubgroups => (4, 0),
                     Input::Column(_)
                     | Input::GlobalInvocationId(_)
                     | Input::LocalInvocationId(_)
                     | Input::LocalInvocationIndex
+                    | Input::SubgroupInvocationId
+                    | Input::SubgroupId
                     | Input::WorkGroupId(_) => (2, 0),
                 };
                 (memory::provide_same(self.isa), [which, axis, 0])
@@ -147,6 +152,37 @@ impl<const N: usize> Linker<'_, N> {
         let n = [buffer, offset, memory::number(atomic.fun)];
         self.insts.push(Inst { run, d, s: [index, value, mask.slot, expected], n });
         Ok(())
+    }
+
+    pub(super) fn texture(&mut self, access: &Access, mask: Mask) {
+        let to = access.to.map(|to| to.map(|to| self.result(to)));
+        let operands = access.operands.map(|value| self.operand(value));
+        let call = TextureCall { image: access.image, op: access.op, operands, to };
+        let at = self.calls.textures.len() as u32;
+        self.calls.textures.push(call);
+        self.push::<together::Texture>(0, [mask.slot, 0, 0, 0], [at, 0, 0]);
+    }
+
+    pub(super) fn subgroup(&mut self, subgroup: &Subgroup, mask: Mask) {
+        let call = SubgroupCall {
+            op: subgroup.op,
+            value: self.operand(subgroup.value),
+            index: subgroup.index.map(|index| self.operand(index)),
+            to: self.result(subgroup.to),
+        };
+        let at = self.calls.subgroups.len() as u32;
+        self.calls.subgroups.push(call);
+        self.push::<together::Together>(0, [mask.slot, 0, 0, 0], [at, 0, 0]);
+    }
+
+    fn operand(&self, value: Value) -> Operand {
+        let (varying, scalar) = (self.program.varying(value), self.program.scalar(value));
+        Operand { place: self.place(value), varying, scalar }
+    }
+
+    fn result(&self, to: Reg) -> (u32, bool) {
+        let value = Value::Reg(to);
+        (self.place(value), wide(self.program.scalar(value)))
     }
 
     /// A slot of zeros.
