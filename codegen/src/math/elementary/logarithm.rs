@@ -1,4 +1,4 @@
-//! The natural logarithm.
+//! Logarithms.
 
 use super::polynomial;
 
@@ -54,4 +54,18 @@ pub fn log(x: f32) -> f32 {
     let (half_square, cube) = rest(f);
     let low = cube + e * -2.121_944_4e-4 - half_square;
     of_positive(x, (f + low) + e * 0.693_359_375)
+}
+
+/// Logarithm of base 2: as the natural one, times a conversion in two parts. At most 0.92 ULP.
+#[inline(always)]
+pub fn log2(x: f32) -> f32 {
+    const HIGH: f32 = 1.442_871_1; // 12 bits
+    const LOW: f32 = -1.760_528_5e-4;
+    let Split { f, e } = split(x);
+    let (half_square, cube) = rest(f);
+    // 12 bits of f - f²/2, so that its product with the upper part is exact; what they lack.
+    let upper = f32::from_bits((f - half_square).to_bits() & 0xffff_f000);
+    let lower = ((f - upper) - half_square) + cube;
+    let low = (upper + lower) * LOW + lower * HIGH;
+    of_positive(x, low + upper * HIGH + e)
 }

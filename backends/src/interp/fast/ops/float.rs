@@ -2,8 +2,9 @@
 
 use super::super::super::program::op::FloatOp;
 use super::super::super::scalar::float as numbers;
-use super::super::shape::{Ask, Found, one, one_plain, three_alike, two, two_alike, two_commuting};
+use super::super::shape::{Ask, Fn1, Found, one, one_plain, three_alike, two, two_alike, two_commuting};
 use super::functions;
+use lobe_codegen::math::elementary::near;
 use lobe_codegen::math::scalar;
 
 functions! {
@@ -34,9 +35,6 @@ functions! {
     Log(a: f32) -> f32 = scalar::log(a);
     Log2(a: f32) -> f32 = scalar::log2(a);
     Pow(x: f32, y: f32) -> f32 = scalar::pow(x, y);
-    Sin(a: f32) -> f32 = scalar::sin(a);
-    Cos(a: f32) -> f32 = scalar::cos(a);
-    Tan(a: f32) -> f32 = scalar::tan(a);
     Asin(a: f32) -> f32 = scalar::asin(a);
     Acos(a: f32) -> f32 = scalar::acos(a);
     Atan(a: f32) -> f32 = scalar::atan(a);
@@ -54,6 +52,36 @@ functions! {
     SmoothStep(low: f32, high: f32, x: f32) -> f32 = scalar::smoothstep(low, high, x);
     Significand(x: f32) -> f32 = numbers::f32(FloatOp::Significand, [x; 3]);
 }
+
+/// Functions of angles: where no lane's angle is large, without the way for large ones.
+macro_rules! angular {
+    ($($name:ident $function:ident;)*) => {
+        $(
+            struct $name;
+            impl Fn1 for $name {
+                type A = f32;
+                type R = f32;
+                #[inline(always)]
+                fn eval(a: f32) -> f32 {
+                    scalar::$function(a)
+                }
+                #[inline(always)]
+                fn lanes<const N: usize>(d: &mut [f32; N], a: &[f32; N]) {
+                    if a.iter().fold(true, |all, a| all & near::holds(*a)) {
+                        for lane in 0..N {
+                            d[lane] = near::$function(a[lane]);
+                        }
+                    } else {
+                        for lane in 0..N {
+                            d[lane] = Self::eval(a[lane]);
+                        }
+                    }
+                }
+            }
+        )*
+    };
+}
+angular! { Sin sin; Cos cos; Tan tan; }
 
 pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
     match op {
