@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::pipelines::fillers;
 use super::{Binding, BindingKind, GpuError, Job, Shader, spirv};
+use crate::texture::{Dimension, Format, Kind, Sampler, TextureShape};
 
 /// Checks `job` against itself and against the `limits` of the device that is to run it.
 pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), GpuError> {
@@ -11,7 +12,7 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
     check_groups(driver, limits, job.groups)?;
     let places = check_places(limits, job.bindings)?;
     check_count(driver, limits, job)?;
-    job.bindings.iter().try_for_each(|binding| check_buffer(driver, limits, binding))?;
+    job.bindings.iter().try_for_each(|binding| check_binding(driver, limits, binding))?;
     match job.shader {
         Shader::Wgsl(_) => Ok(()),
         Shader::Spirv(words) => {
@@ -82,7 +83,8 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
     }
     let groups: BTreeSet<u32> = job.bindings.iter().map(|b| b.group).collect();
     let fillers: usize = groups.into_iter().map(|group| fillers(job, group).len()).sum();
-    let own = job.bindings.iter().filter(|b| b.kind != BindingKind::Uniform).count();
+    let storage = |b: &&Binding| matches!(b.kind, BindingKind::StorageRead | BindingKind::StorageReadWrite);
+    let own = job.bindings.iter().filter(storage).count();
     if own + fillers > limit as usize {
         return bad(format!(
             "{own} storage buffers and {fillers} unused numbers between bindings are more than the {limit} storage \
@@ -92,19 +94,75 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
     Ok(())
 }
 
-fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding) -> Result<(), GpuError> {
-    let &Binding { group, binding: number, kind, data } = binding;
+fn check_binding(driver: &str, limits: &wgpu::Limits, binding: &Binding) -> Result<(), GpuError> {
+    match binding.kind {
+        BindingKind::Uniform => check_buffer(driver, limits, binding, limits.max_uniform_buffer_binding_size),
+        BindingKind::StorageRead | BindingKind::StorageReadWrite => {
+            check_buffer(driver, limits, binding, limits.max_storage_buffer_binding_size)
+        }
+        BindingKind::Texture(shape) => check_texture(limits, binding, &shape),
+        BindingKind::StorageTexture(shape, _) => {
+            if shape.levels != 1 || shape.format.kind() == Kind::Depth {
+                return misfit(binding, &shape, "a storage texture has one level and no depths");
+            }
+            check_texture(limits, binding, &shape)
+        }
+        BindingKind::Sampler(sampler) => check_sampler(binding, &sampler),
+    }
+}
+
+fn misfit(binding: &Binding, shape: &TextureShape, reason: &str) -> Result<(), GpuError> {
+    let &Binding { group, binding: number, .. } = binding;
+    bad(format!("the texture of {shape} at group {group}, binding {number}: {reason}"))
+}
+
+fn check_texture(limits: &wgpu::Limits, binding: &Binding, shape: &TextureShape) -> Result<(), GpuError> {
+    if let Err(error) = shape.check(binding.data.len()) {
+        return misfit(binding, shape, &error.to_string());
+    }
+    if shape.samples > 1 && binding.data.iter().any(|byte| *byte != 0) {
+        return misfit(binding, shape, "with several samples a texel, only zeros can be sent to a device");
+    }
+    if shape.format == Format::Depth32Float && binding.data.iter().any(|byte| *byte != 0) {
+        return misfit(binding, shape, "only zeros can be sent to a device; use depth16unorm");
+    }
+    let limit = match shape.dimension {
+        Dimension::D1 => limits.max_texture_dimension_1d,
+        Dimension::D2 | Dimension::D2Array | Dimension::Cube | Dimension::CubeArray => {
+            limits.max_texture_dimension_2d
+        }
+        Dimension::D3 => limits.max_texture_dimension_3d,
+    };
+    if shape.size.iter().any(|n| *n > limit) || shape.layers > limits.max_texture_array_layers {
+        let layers = limits.max_texture_array_layers;
+        return misfit(
+            binding,
+            shape,
+            &format!("the driver allows {limit} texels along an axis, {layers} layers"),
+        );
+    }
+    Ok(())
+}
+
+fn check_sampler(binding: &Binding, sampler: &Sampler) -> Result<(), GpuError> {
+    let &Binding { group, binding: number, data, .. } = binding;
+    let [low, high] = sampler.lod;
+    let lies =
+        (low >= 0.0 && low <= high).then_some(()).ok_or("its levels of detail must be 0 or more, in order");
+    let empty = data.is_empty().then_some(()).ok_or("a sampler has no bytes");
+    let reason = lies.and(empty).err();
+    reason.map_or(Ok(()), |reason| bad(format!("the sampler at group {group}, binding {number}: {reason}")))
+}
+
+fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding, most: u64) -> Result<(), GpuError> {
+    let &Binding { group, binding: number, data, .. } = binding;
     let bytes = data.len() as u64;
     if bytes == 0 || !bytes.is_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT) {
         return bad(format!(
             "the buffer at group {group}, binding {number} has {bytes} bytes; it must have some, and a multiple of 4"
         ));
     }
-    let kind_limit = match kind {
-        BindingKind::Uniform => limits.max_uniform_buffer_binding_size,
-        BindingKind::StorageRead | BindingKind::StorageReadWrite => limits.max_storage_buffer_binding_size,
-    };
-    let limit = kind_limit.min(limits.max_buffer_size);
+    let limit = most.min(limits.max_buffer_size);
     if bytes > limit {
         let driver = driver.to_owned();
         return Err(GpuError::BufferTooLarge { driver, group, binding: number, bytes, limit });

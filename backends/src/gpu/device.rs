@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::buffers::{Buffers, Spare};
+use super::bindings::{Bindings, Spare};
 use super::driver::{self, block_on};
 use super::pipelines::{self, Key, Pipeline, Pipelines};
 use super::{Driver, GpuError, Job, Shader};
@@ -13,7 +13,13 @@ const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
     .union(wgpu::Features::SHADER_F64)
     .union(wgpu::Features::SHADER_F16)
     .union(wgpu::Features::SHADER_INT64)
-    .union(wgpu::Features::SUBGROUP);
+    .union(wgpu::Features::SUBGROUP)
+    .union(wgpu::Features::SUBGROUP_BARRIER)
+    .union(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES)
+    .union(wgpu::Features::TEXTURE_FORMAT_16BIT_NORM)
+    .union(wgpu::Features::TEXTURE_ATOMIC)
+    .union(wgpu::Features::FLOAT32_FILTERABLE)
+    .union(wgpu::Features::BGRA8UNORM_STORAGE);
 
 /// A device with what was made on it.
 pub(super) struct Device {
@@ -90,15 +96,15 @@ impl Device {
         let pipeline = self.pipeline(job)?;
         let mut spare = std::mem::take(&mut self.spare);
         let step = self.scoped(|| {
-            let buffers = Buffers::fill(&mut spare, &self.device, &self.queue, job.bindings);
-            self.submit(&pipeline, &buffers, job, true);
-            buffers.map();
-            buffers
+            let bindings = Bindings::fill(&mut spare, &self.device, &self.queue, job.bindings);
+            self.submit(&pipeline, &bindings, job, true);
+            bindings.map();
+            bindings
         });
-        let buffers = step.map_err(|fault| self.runtime_error(fault))?;
+        let bindings = step.map_err(|fault| self.runtime_error(fault))?;
         self.wait()?;
-        let outputs = buffers.read().map_err(|error| self.runtime_error(Fault::Rejected(error)))?;
-        self.spare = buffers.into_spare();
+        let outputs = bindings.read().map_err(|error| self.runtime_error(Fault::Rejected(error)))?;
+        self.spare = bindings.into_spare();
         Ok(outputs)
     }
 
@@ -106,18 +112,18 @@ impl Device {
     pub(super) fn time(&mut self, job: &Job, rounds: usize) -> Result<Vec<Duration>, GpuError> {
         let pipeline = self.pipeline(job)?;
         let mut spare = std::mem::take(&mut self.spare);
-        let filled = self.scoped(|| Buffers::fill(&mut spare, &self.device, &self.queue, job.bindings));
-        let buffers = filled.map_err(|fault| self.runtime_error(fault))?;
+        let filled = self.scoped(|| Bindings::fill(&mut spare, &self.device, &self.queue, job.bindings));
+        let bindings = filled.map_err(|fault| self.runtime_error(fault))?;
         self.queue.submit([]);
         self.wait()?;
         let round = |_| {
             let begin = Instant::now();
-            let step = self.scoped(|| self.submit(&pipeline, &buffers, job, false));
+            let step = self.scoped(|| self.submit(&pipeline, &bindings, job, false));
             step.map_err(|fault| self.runtime_error(fault))?;
             self.wait().map(|()| begin.elapsed())
         };
         let times = (0..rounds).map(round).collect();
-        self.spare = buffers.into_spare();
+        self.spare = bindings.into_spare();
         times
     }
 
@@ -134,7 +140,7 @@ impl Device {
             let feature = "unchanged SPIR-V (wgpu's PASSTHROUGH_SHADERS)";
             return Err(GpuError::Unsupported { driver: self.name.clone(), feature });
         }
-        let key = Key::of(job);
+        let key = Key::of(job, self.device.features());
         if let Some(pipeline) = self.pipelines.get(&key) {
             return Ok(pipeline);
         }
@@ -144,21 +150,21 @@ impl Device {
         Ok(pipeline)
     }
 
-    fn submit(&self, pipeline: &Pipeline, buffers: &Buffers, job: &Job, back: bool) {
+    fn submit(&self, pipeline: &Pipeline, bindings: &Bindings, job: &Job, back: bool) {
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&pipeline.pipeline);
             for (group, layout) in (0..).zip(&pipeline.groups) {
                 if let Some(layout) = layout {
-                    pass.set_bind_group(group, &self.bind_group(group, layout, buffers, job), &[]);
+                    pass.set_bind_group(group, &self.bind_group(group, layout, bindings, job), &[]);
                 }
             }
             let [x, y, z] = job.groups;
             pass.dispatch_workgroups(x, y, z);
         }
         if back {
-            buffers.copy_back(&mut encoder);
+            bindings.copy_back(&mut encoder);
         }
         self.queue.submit([encoder.finish()]);
     }
@@ -167,15 +173,16 @@ impl Device {
         &self,
         group: u32,
         layout: &wgpu::BindGroupLayout,
-        buffers: &Buffers,
+        bindings: &Bindings,
         job: &Job,
     ) -> wgpu::BindGroup {
         let of_group = job.bindings.iter().enumerate().filter(|(_, b)| b.group == group);
-        let bound = of_group.map(|(index, b)| (b.binding, buffers.bound(index)));
-        let fillers = pipelines::fillers(job, group).into_iter().map(|binding| (binding, &self.filler));
+        let bound = of_group.map(|(index, b)| (b.binding, bindings.bound(index)));
+        let fillers = pipelines::fillers(job, group).into_iter();
+        let fillers = fillers.map(|binding| (binding, self.filler.as_entire_binding()));
         let entries: Vec<_> = bound
             .chain(fillers)
-            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
     }

@@ -34,7 +34,7 @@
 //! A driver that crashes takes the process along, and broken SPIR-V makes some drivers crash. Run
 //! [`spirv_val`](crate::translate::spirv_val) first on words that you do not trust.
 
-mod buffers;
+mod bindings;
 mod check;
 mod device;
 mod driver;
@@ -43,11 +43,14 @@ mod icd;
 mod owned;
 mod pipelines;
 mod spirv;
+mod textures;
 mod worker;
 
 pub use driver::{Driver, drivers};
 pub use error::GpuError;
 pub use worker::{DEFAULT_TIMEOUT, Gpu};
+
+use crate::texture::{Sampler, TextureShape};
 
 /// A compute shader, in the form in which it was emitted.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +61,21 @@ pub enum Shader<'a> {
     Spirv(&'a [u32]),
 }
 
-/// What a shader does with the bytes bound to it.
+/// How a shader uses a storage texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Access {
+    /// `read`.
+    Read,
+    /// `write`.
+    Write,
+    /// `read_write`.
+    ReadWrite,
+    /// `atomic`.
+    Atomic,
+}
+
+/// What a shader does with the bytes bound to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BindingKind {
     /// `var<uniform>`.
     Uniform,
@@ -67,9 +83,15 @@ pub enum BindingKind {
     StorageRead,
     /// `var<storage, read_write>`; its final bytes are what [`Gpu::run`] returns.
     StorageReadWrite,
+    /// A texture that is loaded from or sampled; its bytes are its texels.
+    Texture(TextureShape),
+    /// A storage texture, of one level; one that the shader may write is among what [`Gpu::run`] returns.
+    StorageTexture(TextureShape, Access),
+    /// A sampler, which has no bytes.
+    Sampler(Sampler),
 }
 
-/// One buffer, and where the shader expects it.
+/// One buffer, texture or sampler, and where the shader expects it.
 #[derive(Clone, Copy, Debug)]
 pub struct Binding<'a> {
     /// `@group` in WGSL, descriptor set in SPIR-V.
@@ -78,7 +100,7 @@ pub struct Binding<'a> {
     pub binding: u32,
     /// How the shader uses it.
     pub kind: BindingKind,
-    /// Its bytes when the shader starts; the length is a multiple of 4 and not 0.
+    /// Its bytes when the shader starts; the length of a buffer is a multiple of 4 and not 0.
     pub data: &'a [u8],
 }
 
@@ -93,6 +115,6 @@ pub struct Job<'a> {
     pub workgroup_size: [u32; 3],
     /// How many workgroups to start along each axis.
     pub groups: [u32; 3],
-    /// Every buffer that the shader uses.
+    /// Everything that the shader uses.
     pub bindings: &'a [Binding<'a>],
 }

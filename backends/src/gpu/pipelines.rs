@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::owned::OwnedShader;
-use super::{BindingKind, Job, Shader};
+use super::{BindingKind, Job, Shader, textures};
 
 /// Past this many pipelines all are dropped: a run over thousands of shaders must not keep them all.
 const CAPACITY: usize = 64;
@@ -19,7 +19,7 @@ pub(super) struct Key {
     shader: OwnedShader,
     entry: String,
     workgroup_size: [u32; 3],
-    places: Vec<(u32, u32, BindingKind)>,
+    places: Vec<(u32, u32, wgpu::BindingType)>,
 }
 
 /// A pipeline with the layout of each of its groups; `None` where a group's number is skipped.
@@ -30,9 +30,10 @@ pub(super) struct Pipeline {
 }
 
 impl Key {
-    pub(super) fn of(job: &Job) -> Self {
+    pub(super) fn of(job: &Job, features: wgpu::Features) -> Self {
         let shader = OwnedShader::of(job.shader);
-        let places = job.bindings.iter().map(|b| (b.group, b.binding, b.kind)).collect();
+        let places =
+            job.bindings.iter().map(|b| (b.group, b.binding, binding_type(b.kind, features))).collect();
         Self { shader, entry: job.entry.to_owned(), workgroup_size: job.workgroup_size, places }
     }
 }
@@ -98,8 +99,12 @@ fn group_layouts(device: &wgpu::Device, job: &Job) -> Vec<Option<wgpu::BindGroup
 }
 
 fn group_layout(device: &wgpu::Device, job: &Job, group: u32) -> Option<wgpu::BindGroupLayout> {
-    let bound = job.bindings.iter().filter(|b| b.group == group).map(|b| layout_entry(b.binding, b.kind));
-    let fillers = fillers(job, group).into_iter().map(|b| layout_entry(b, BindingKind::StorageRead));
+    let features = device.features();
+    let of_group = job.bindings.iter().filter(|b| b.group == group);
+    let bound = of_group.map(|b| layout_entry(b.binding, binding_type(b.kind, features)));
+    let fillers = fillers(job, group)
+        .into_iter()
+        .map(|b| layout_entry(b, binding_type(BindingKind::StorageRead, features)));
     let entries: Vec<_> = bound.chain(fillers).collect();
     let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries };
     (!entries.is_empty()).then(|| device.create_bind_group_layout(&descriptor))
@@ -119,18 +124,21 @@ pub(super) fn fillers(job: &Job, group: u32) -> Vec<u32> {
     (0..end).filter(|number| !taken.contains(number)).collect()
 }
 
-fn layout_entry(binding: u32, kind: BindingKind) -> wgpu::BindGroupLayoutEntry {
+fn layout_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
+}
+
+/// What a pipeline has to know of a binding, and no more.
+fn binding_type(kind: BindingKind, features: wgpu::Features) -> wgpu::BindingType {
     let ty = match kind {
         BindingKind::Uniform => wgpu::BufferBindingType::Uniform,
         BindingKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
         BindingKind::StorageReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
+        BindingKind::Texture(shape) => return textures::sampled(&shape, features),
+        BindingKind::StorageTexture(shape, access) => return textures::storage(&shape, access),
+        BindingKind::Sampler(sampler) => return textures::sampling(&sampler),
     };
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
-        count: None,
-    }
+    wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None }
 }
 
 #[cfg(test)]

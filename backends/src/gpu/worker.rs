@@ -48,7 +48,8 @@ impl Gpu {
         self.timeout = timeout;
     }
 
-    /// Runs one job and returns the final bytes of every [`StorageReadWrite`](super::BindingKind::StorageReadWrite) binding, in order.
+    /// Runs one job and returns the final bytes of every [`StorageReadWrite`](super::BindingKind::StorageReadWrite)
+    /// buffer and every [`StorageTexture`](super::BindingKind::StorageTexture) that may be written, in order.
     ///
     /// The same shader with new data is fast: its pipeline and buffers are kept.
     ///

@@ -39,8 +39,10 @@ pub(super) struct Field {
 }
 
 impl Format {
-    /// The four numbers of a texel, as bits of f32, i32, u32 or u64; what lacks is 0, 0 and 1.
-    pub(crate) fn decode(self, texel: u128) -> [u64; 4] {
+    /// The four numbers of a texel, whose bytes are those of `texel` from the lowest on, as bits of f32, i32, u32 or u64;
+    /// channels that lack are 0, 0 and 1.
+    #[must_use]
+    pub fn decode(self, texel: u128) -> [u64; 4] {
         let one = match self.kind() {
             super::Kind::Float | super::Kind::Depth => 1f32.to_bits().into(),
             super::Kind::Sint | super::Kind::Uint => 1,
@@ -52,8 +54,9 @@ impl Format {
         numbers
     }
 
-    /// The texel of four such numbers.
-    pub(crate) fn encode(self, numbers: [u64; 4]) -> u128 {
+    /// The texel of four such numbers, the other way.
+    #[must_use]
+    pub fn encode(self, numbers: [u64; 4]) -> u128 {
         let place = |Field { channel, code, shift }: Field| {
             u128::from(code.encode(numbers[channel]) & code.mask()) << shift
         };

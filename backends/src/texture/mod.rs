@@ -53,11 +53,7 @@ impl Texture {
     /// # Errors
     /// When there is no such shape, or it has another number of bytes.
     pub fn new(shape: TextureShape, bytes: Vec<u8>) -> Result<Self, TextureError> {
-        shape.check()?;
-        let (expected, found) = (shape.bytes(), bytes.len());
-        if expected != found {
-            return Err(TextureError::Bytes { shape: shape.to_string(), expected, found });
-        }
+        shape.check(bytes.len())?;
         Ok(Self { shape, bytes })
     }
 
@@ -66,8 +62,9 @@ impl Texture {
     /// # Errors
     /// When there is no such shape.
     pub fn zeros(shape: TextureShape) -> Result<Self, TextureError> {
-        shape.check()?;
-        Ok(Self { shape, bytes: vec![0; shape.bytes()] })
+        let bytes = shape.bytes();
+        shape.check(bytes)?;
+        Ok(Self { shape, bytes: vec![0; bytes] })
     }
 
     /// What it is.

@@ -92,10 +92,19 @@ impl TextureShape {
         before + (texel * self.samples as usize + sample as usize) * self.format.bytes()
     }
 
-    /// Whether there is such a texture.
-    pub(super) fn check(&self) -> Result<(), TextureError> {
-        let reason = self.fault();
-        reason.map_or(Ok(()), |reason| Err(TextureError::Shape { shape: self.to_string(), reason }))
+    /// Checks that there is such a texture, and that it has so many bytes.
+    ///
+    /// # Errors
+    /// When there is none, or it has another number.
+    pub fn check(&self, bytes: usize) -> Result<(), TextureError> {
+        if let Some(reason) = self.fault() {
+            return Err(TextureError::Shape { shape: self.to_string(), reason });
+        }
+        let (expected, found) = (self.bytes(), bytes);
+        if expected != found {
+            return Err(TextureError::Bytes { shape: self.to_string(), expected, found });
+        }
+        Ok(())
     }
 
     fn fault(&self) -> Option<&'static str> {
@@ -196,9 +205,10 @@ mod tests {
             (TextureShape { dimension: Dimension::Cube, layers: 6, ..flat }, "square"),
         ];
         for (shape, part) in cases {
-            let message = shape.check().expect_err("impossible").to_string();
+            let message = shape.check(shape.bytes()).expect_err("impossible").to_string();
             assert!(message.contains(part), "{message}");
         }
-        assert_eq!(flat.levelled(4).check(), Ok(()));
+        assert_eq!(flat.levelled(4).check(4 * (32 + 8 + 2 + 1)), Ok(()));
+        assert!(flat.check(3).is_err());
     }
 }

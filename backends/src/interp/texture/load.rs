@@ -25,12 +25,10 @@ pub(crate) fn inside(texels: &impl Texels, at: At) -> Option<usize> {
     Some(shape.texel(level, layer, place, sample))
 }
 
-/// The four numbers of a texel, as bits; out of bounds all zero.
+/// The four numbers of a texel, as bits; out of bounds those of a texel of zeros: an alpha that the format lacks is 1.
 pub(crate) fn load(texels: &impl Texels, at: At) -> [u64; 4] {
-    match inside(texels, at) {
-        Some(place) => texels.shape().format.decode(texels.texel(place)),
-        None => [0; 4],
-    }
+    let texel = inside(texels, at).map_or(0, |place| texels.texel(place));
+    texels.shape().format.decode(texel)
 }
 
 /// Replaces a texel; out of bounds nothing happens.

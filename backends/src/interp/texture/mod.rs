@@ -2,7 +2,8 @@
 //!
 //! They follow the Vulkan specification's chapter on image operations, which is what WebGPU runs on:
 //!
-//! - `load` reads and writes texels by number. Out of bounds, a load is zero and a store does nothing.
+//! - `load` reads and writes texels by number. Out of bounds, a load finds a texel of zeros and a store does nothing:
+//!   naga leaves images unchecked by default, and so does wgpu where Vulkan's robust image access promises this.
 //! - `address` turns coordinates into numbers of texels and weights; `cube` finds faces and what lies past their
 //!   edges; `lod` chooses levels.
 //! - `sample` puts these together: filtering, gathering, comparing.

@@ -1,0 +1,12 @@
+// Covers: subgroupBarrier: what a subgroup wrote to workgroup memory.
+// lobe: --size data=256 --size out=256
+@group(0) @binding(0) var<storage, read> data: array<u32>;
+@group(0) @binding(1) var<storage, read_write> out: array<u32>;
+var<workgroup> place: array<u32, 64>;
+
+@compute @workgroup_size(64)
+fn main(@builtin(local_invocation_index) i: u32) {
+    place[i] = data[i] * 3u;
+    subgroupBarrier();
+    out[i] = place[i ^ 1u];
+}
