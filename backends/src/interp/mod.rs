@@ -23,6 +23,7 @@ mod dispatch;
 mod error;
 mod exec;
 mod fast;
+mod finding;
 mod formula;
 mod layout;
 mod leaf;
@@ -43,6 +44,7 @@ mod texture;
 pub use dispatch::Buffer;
 pub use error::InterpError;
 pub use fast::Isa;
+pub use finding::{Checks, Fault, Finding, Invocation};
 pub use resources::{BoundSampler, BoundTexture, Resources};
 
 use batch::Batch;
@@ -104,6 +106,38 @@ pub enum ShadowColumn {
         value: Vec<u32>,
         /// Whether every permitted driver returns `value`.
         known: Vec<bool>,
+    },
+}
+
+/// What a dispatch leaves in a storage buffer, in the shadow lane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShadowBuffer {
+    /// Bind group.
+    pub group: u32,
+    /// Binding within the group.
+    pub binding: u32,
+    /// One for each 32-bit word.
+    pub words: Vec<ShadowWord>,
+}
+
+/// One word of a buffer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ShadowWord {
+    /// Written as a float.
+    Float {
+        /// In strict f32.
+        value: f32,
+        /// Of the formula in real numbers.
+        exact: f64,
+        /// Largest distance from `exact` of any permitted driver's result; infinite when there is none.
+        bound: f64,
+    },
+    /// Never written, or written as anything else.
+    Word {
+        /// In strict f32.
+        value: u32,
+        /// Whether every permitted driver leaves `value`.
+        known: bool,
     },
 }
 
@@ -275,5 +309,70 @@ impl<'m> Interpreter<'m> {
             subgroup: self.subgroup,
         };
         dispatch.run(resources.into())
+    }
+
+    /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;
+    /// the buffers that the program may write come back, word by word.
+    ///
+    /// # Errors
+    /// As [`Interpreter::run`], except that a loop that does not end makes what its invocations write unknown.
+    pub fn shadow_run(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        buffers: &[Buffer],
+    ) -> Result<Vec<ShadowBuffer>, InterpError> {
+        let _ = (groups, buffers);
+        Err(self.not_yet(entry, "shadow values in buffers"))
+    }
+
+    /// Runs entry point `entry` as a permitted driver would that errs by chance; the same seed gives the same results.
+    ///
+    /// # Errors
+    /// As [`Interpreter::run`].
+    pub fn perturbed_run(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        buffers: &mut [Buffer],
+        seed: u64,
+    ) -> Result<(), InterpError> {
+        let _ = (groups, buffers, seed);
+        Err(self.not_yet(entry, "entry points by chance"))
+    }
+
+    /// Runs entry point `entry` as [`Interpreter::run`] does and reports its mistakes; what it computes stays as it is.
+    ///
+    /// # Errors
+    /// As [`Interpreter::run`], except for what is a finding.
+    pub fn sanitize(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        buffers: &mut [Buffer],
+        checks: Checks,
+    ) -> Result<Vec<Finding>, InterpError> {
+        let _ = (groups, buffers, checks);
+        Err(self.not_yet(entry, "entry points that are sanitized"))
+    }
+
+    /// The same of a function, called on every row.
+    ///
+    /// # Errors
+    /// As [`Interpreter::call`], except for what is a finding.
+    pub fn sanitize_call(
+        &self,
+        f: Handle<Function>,
+        args: &Columns,
+        checks: Checks,
+    ) -> Result<Vec<Finding>, InterpError> {
+        let _ = (f, args, checks);
+        Err(self.not_yet(0, "functions that are sanitized"))
+    }
+
+    fn not_yet(&self, entry: usize, what: &str) -> InterpError {
+        let point = self.module.module().entry_points.get(entry);
+        let function = point.map_or_else(String::new, |p| p.name.clone());
+        InterpError::Unsupported { what: what.to_owned(), function }
     }
 }
