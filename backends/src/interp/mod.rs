@@ -10,26 +10,24 @@
 //! - *perturbed* ([`Interpreter::perturbed`]): what does one such driver return, drawn by chance?
 //!   It is how the bounds are put to the test.
 //!
-//! The strict way is made for speed: `lower` turns naga's IR into a `program` on scalars, once; `passes` rewrite it;
-//! `fast` runs it on arrays of lanes, by vector instructions that are chosen at run time.
-//! The other two walk naga's IR itself (`exec`), for a batch of lanes; what a lane's numbers are is a model's
-//! business (`model`). A strict model of the same machine judges the fast one.
+//! `lower` turns naga's IR into a `program` on scalars, once.
+//! The strict way is made for speed: `passes` rewrite the program; `fast` runs it on arrays of lanes, by vector
+//! instructions that are chosen at run time.
+//! For the other two `judge` runs the program as it was lowered; what a lane's numbers are is a model's
+//! business (`model`). A strict model of the same machine judges the fast one, and the program that runs
+//! ([`Interpreter::sanitize`]).
 //!
 //! Integers are as in WGSL: wrapping, `x / 0 = x`, `x % 0 = 0`, shifts by the lower five bits, conversions
 //! saturate; indices out of bounds are clamped.
 
-mod batch;
-mod dispatch;
+mod buffer;
 mod error;
-mod exec;
 mod fast;
 mod finding;
 mod formula;
-mod layout;
-mod leaf;
+mod judge;
 mod lower;
 mod mask;
-mod memory;
 mod model;
 mod passes;
 mod perturbed;
@@ -41,23 +39,16 @@ mod strict;
 mod subgroup;
 mod texture;
 
-pub use dispatch::Buffer;
+pub use buffer::Buffer;
 pub use error::InterpError;
 pub use fast::Isa;
 pub use finding::{Checks, Fault, Finding, Invocation};
 pub use resources::{BoundSampler, BoundTexture, Resources};
 
-use batch::Batch;
 use lobe_codegen::ValidModule;
 use lobe_codegen::data::Columns;
+use lower::Reader;
 use naga::{Function, Handle};
-use rayon::prelude::*;
-
-/// Rows that are computed together.
-const LANES: usize = 256;
-
-/// The same in the shadow lane, whose tape shall stay in a cache.
-const SHADOW_LANES: usize = 64;
 
 /// Rounds of loops that a batch may run, unless [`Interpreter::with_fuel`] says otherwise.
 const FUEL: u64 = 1 << 24;
@@ -178,33 +169,17 @@ impl<'m> Interpreter<'m> {
     /// When the columns do not fit the parameters, the function does something that the interpreter does not
     /// execute, or a loop does not end.
     pub fn call(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
-        let signature = batch::Signature::of(self.module, f, args, None)?;
-        let program = lower::function(self.module, f)?;
-        debug_assert_eq!(program.results.len(), signature.results.len());
+        let program = self.lowered(f, args, None, Reader::Lanes)?;
         fast::rows::call(&fast::Code::new(program, false, self.isa)?, args, self.fuel)
     }
 
-    /// What [`Interpreter::call`] returns, by the machine that walks naga's IR: the judge of the fast one.
+    /// What [`Interpreter::call`] returns, by the judge of the machine that is fast.
     ///
     /// # Errors
     /// As [`Interpreter::call`].
     #[doc(hidden)]
-    pub fn call_walking(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
-        self.plain(f, args, |_| strict::Strict)
-    }
-
-    /// What [`Interpreter::run`] does, by the machine that walks naga's IR.
-    ///
-    /// # Errors
-    /// As [`Interpreter::run`].
-    #[doc(hidden)]
-    pub fn run_walking(
-        &self,
-        entry: usize,
-        groups: [u32; 3],
-        buffers: &mut [Buffer],
-    ) -> Result<(), InterpError> {
-        dispatch::run(self.module, self.fuel, entry, groups, buffers)
+    pub fn call_judged(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
+        self.calls(f, args, |call| call.words(|_| strict::Strict))
     }
 
     /// Calls `f` as a permitted driver would that errs by chance; the same seed gives the same results.
@@ -212,25 +187,7 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// As [`Interpreter::call`].
     pub fn perturbed(&self, f: Handle<Function>, args: &Columns, seed: u64) -> Result<Columns, InterpError> {
-        self.plain(f, args, |chunk| {
-            perturbed::Perturbed::new(seed ^ (chunk as u64).wrapping_mul(0x5851_f42d_4c95_7f2d))
-        })
-    }
-
-    fn plain<M: model::Model>(
-        &self,
-        f: Handle<Function>,
-        args: &Columns,
-        model: impl Fn(usize) -> M + Sync,
-    ) -> Result<Columns, InterpError> {
-        let signature = batch::Signature::of(self.module, f, args, None)?;
-        let chunks = batch::chunks(args.rows, LANES).into_par_iter();
-        let parts = chunks
-            .map(|range| Batch::new(self.module, model(range.start), self.fuel, &signature).words(range))
-            .collect::<Result<Vec<_>, _>>()?;
-        let mut out = Columns::zeros(signature.results.len(), 0);
-        parts.iter().for_each(|part| out.append(part));
-        Ok(out)
+        self.calls(f, args, |call| call.words(|chunk| perturbed::Perturbed::nth(seed, chunk)))
     }
 
     /// Calls `f` on every row with the exact value and a bound beside each float.
@@ -269,14 +226,39 @@ impl<'m> Interpreter<'m> {
         exact: Option<&[Vec<f64>]>,
         model: fn() -> shadow::Shadow,
     ) -> Result<ShadowColumns, InterpError> {
-        let signature = batch::Signature::of(self.module, f, args, exact)?;
-        let chunks = batch::chunks(args.rows, SHADOW_LANES).into_par_iter();
-        let parts = chunks
-            .map(|range| Batch::new(self.module, model(), self.fuel, &signature).shadow(range))
-            .collect::<Result<Vec<_>, _>>()?;
-        let mut out = batch::no_rows(&signature.results);
-        parts.into_iter().for_each(|part| batch::append(&mut out, part));
-        Ok(out)
+        let code = judge::Code::new(self.lowered(f, args, exact, Reader::Judge)?);
+        judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(model)
+    }
+
+    /// Runs `f` by the judge.
+    fn calls<T>(
+        &self,
+        f: Handle<Function>,
+        args: &Columns,
+        run: impl FnOnce(judge::rows::Call<'_>) -> Result<T, InterpError>,
+    ) -> Result<T, InterpError> {
+        let code = judge::Code::new(self.lowered(f, args, None, Reader::Judge)?);
+        run(judge::rows::Call { code: &code, args, exact: None, fuel: self.fuel })
+    }
+
+    /// The program of `f`, whose parameters the columns fit.
+    fn lowered(
+        &self,
+        f: Handle<Function>,
+        args: &Columns,
+        exact: Option<&[Vec<f64>]>,
+        reader: Reader,
+    ) -> Result<program::Program, InterpError> {
+        let program = lower::function(self.module, f, reader)?;
+        let expected = program.columns;
+        let function = || self.module.module().functions[f].name.clone().unwrap_or_default();
+        if args.width() != expected || args.columns.iter().any(|c| c.len() != args.rows) {
+            return Err(InterpError::Arguments { function: function(), expected, found: args.width() });
+        }
+        if exact.is_some_and(|e| e.len() != expected || e.iter().any(|c| c.len() != args.rows)) {
+            return Err(InterpError::ExactColumns { function: function(), expected });
+        }
+        Ok(program)
     }
 
     /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers and textures are
@@ -293,22 +275,49 @@ impl<'m> Interpreter<'m> {
         groups: [u32; 3],
         resources: impl Into<Resources<'a>>,
     ) -> Result<(), InterpError> {
+        let size = self.workgroup_size(entry)?;
+        let program = lower::entry(self.module, entry, Reader::Lanes)?;
+        let packed = !program.cooperative;
+        let code = fast::Code::new(program, packed, self.isa)?;
+        let (fuel, subgroup) = (self.fuel, self.subgroup);
+        fast::dispatch::Dispatch { code: &code, size, groups, fuel, subgroup }.run(resources.into())
+    }
+
+    /// What [`Interpreter::run`] does, by the judge of the machine that is fast.
+    ///
+    /// # Errors
+    /// As [`Interpreter::run`].
+    #[doc(hidden)]
+    pub fn run_judged(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        buffers: &mut [Buffer],
+    ) -> Result<(), InterpError> {
+        self.dispatches(entry, groups, |dispatch| dispatch.run(buffers, |_| strict::Strict))
+    }
+
+    /// Runs an entry point by the judge.
+    fn dispatches<T>(
+        &self,
+        entry: usize,
+        groups: [u32; 3],
+        run: impl FnOnce(&judge::dispatch::Dispatch<'_>) -> Result<T, InterpError>,
+    ) -> Result<T, InterpError> {
+        let size = self.workgroup_size(entry)?;
+        let code = judge::Code::new(lower::entry(self.module, entry, Reader::Judge)?);
+        let (fuel, subgroup) = (self.fuel, self.subgroup);
+        run(&judge::dispatch::Dispatch { code: &code, size, groups, fuel, subgroup })
+    }
+
+    /// Invocations of a workgroup along each axis.
+    fn workgroup_size(&self, entry: usize) -> Result<[u32; 3], InterpError> {
         let point = self.module.module().entry_points.get(entry).ok_or(InterpError::NoEntryPoint(entry))?;
         if point.stage != naga::ShaderStage::Compute || point.workgroup_size_overrides.is_some() {
             let what = "an entry point that is no compute shader of fixed workgroup size".to_owned();
             return Err(InterpError::Unsupported { what, function: point.name.clone() });
         }
-        let program = lower::entry(self.module, entry)?;
-        let packed = !program.cooperative;
-        let code = fast::Code::new(program, packed, self.isa)?;
-        let dispatch = fast::dispatch::Dispatch {
-            code: &code,
-            size: point.workgroup_size,
-            groups,
-            fuel: self.fuel,
-            subgroup: self.subgroup,
-        };
-        dispatch.run(resources.into())
+        Ok(point.workgroup_size)
     }
 
     /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;
@@ -322,8 +331,7 @@ impl<'m> Interpreter<'m> {
         groups: [u32; 3],
         buffers: &[Buffer],
     ) -> Result<Vec<ShadowBuffer>, InterpError> {
-        let _ = (groups, buffers);
-        Err(self.not_yet(entry, "shadow values in buffers"))
+        self.dispatches(entry, groups, |dispatch| dispatch.shadow(buffers))
     }
 
     /// Runs entry point `entry` as a permitted driver would that errs by chance; the same seed gives the same results.
@@ -337,8 +345,8 @@ impl<'m> Interpreter<'m> {
         buffers: &mut [Buffer],
         seed: u64,
     ) -> Result<(), InterpError> {
-        let _ = (groups, buffers, seed);
-        Err(self.not_yet(entry, "entry points by chance"))
+        let model = |group| perturbed::Perturbed::nth(seed, group);
+        self.dispatches(entry, groups, |dispatch| dispatch.run(buffers, model))
     }
 
     /// Runs entry point `entry` as [`Interpreter::run`] does and reports its mistakes; what it computes stays as it is.

@@ -1,7 +1,7 @@
 //! What a lane's numbers are.
 //!
-//! The machine that walks statements and expressions is the same for all models; a model says what a
-//! float, a 32-bit integer and a boolean are and what each scalar operation does.
+//! The machine that runs programs (`judge`) is the same for all models; a model says what a
+//! float, an integer and a boolean are and what each scalar operation does.
 //! [`Strict`](super::strict::Strict) holds plain numbers, [`Shadow`](super::shadow::Shadow) carries the set
 //! of values that permitted drivers may have, [`Perturbed`](super::perturbed::Perturbed) is one such driver,
 //! drawn by chance.
@@ -9,6 +9,7 @@
 //! Operations whose accuracy is inherited from a formula have that formula as their default.
 
 use super::formula;
+use super::program::Scalar;
 
 /// Which of two operands' values and exact values a join takes: `true` for the first one.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +22,8 @@ macro_rules! operations {
     (required { $($(#[$doc:meta])* $name:ident($($arg:ident)*);)* } formulas { $($derived:ident($($darg:ident)*);)* }) => {
         /// The scalar operations; see the module's documentation.
         ///
-        /// Integers are their 32 bits, whether signed or not.
+        /// Integers are their bits, whether signed or not, as registers of programs hold them; a scalar that a model has
+        /// no numbers for is one of them.
         pub(super) trait Model {
             /// Whether decisions can be ambiguous and values unknown.
             const SHADOW: bool;
@@ -40,16 +42,16 @@ macro_rules! operations {
             fn with_truth(&self, a: Self::F, truth: f64) -> Self::F;
             fn join_f(&self, a: Self::F, b: Self::F, pick: Pick) -> Self::F;
 
-            fn word(&self, value: u32) -> Self::W;
-            fn word_value(&self, a: Self::W) -> u32;
-            fn word_exact(&self, a: Self::W) -> u32;
+            fn word(&self, value: u64) -> Self::W;
+            fn word_value(&self, a: Self::W) -> u64;
+            fn word_exact(&self, a: Self::W) -> u64;
             fn known(&self, a: Self::W) -> bool;
             /// A word that is `value` on the f32 path and `exact` on the exact one; known if these agree.
-            fn word_parts(&self, value: u32, exact: u32) -> Self::W;
+            fn word_parts(&self, value: u64, exact: u64) -> Self::W;
             /// The same word, but any other value is possible too.
             fn forget(&self, a: Self::W) -> Self::W;
-            fn map_w(&self, a: Self::W, f: impl Fn(u32) -> u32) -> Self::W;
-            fn zip_w(&self, a: Self::W, b: Self::W, f: impl Fn(u32, u32) -> u32) -> Self::W;
+            fn map_w(&self, a: Self::W, f: impl Fn(u64) -> u64) -> Self::W;
+            fn zip_w(&self, a: Self::W, b: Self::W, f: impl Fn(u64, u64) -> u64) -> Self::W;
             fn join_w(&self, a: Self::W, b: Self::W, pick: Pick) -> Self::W;
 
             fn boolean(&self, value: bool) -> Self::B;
@@ -64,15 +66,17 @@ macro_rules! operations {
                 self.not(self.and(self.not(a), self.not(b)))
             }
 
-            fn compare_w(&self, a: Self::W, b: Self::W, f: impl Fn(u32, u32) -> bool) -> Self::B;
+            fn compare_w(&self, a: Self::W, b: Self::W, f: impl Fn(u64, u64) -> bool) -> Self::B;
             fn less(&self, a: Self::F, b: Self::F) -> Self::B;
             fn less_equal(&self, a: Self::F, b: Self::F) -> Self::B;
             fn equal(&self, a: Self::F, b: Self::F) -> Self::B;
             fn is_nan(&self, a: Self::F) -> Self::B;
             fn is_inf(&self, a: Self::F) -> Self::B;
 
-            fn to_word(&self, a: Self::F, signed: bool) -> Self::W;
-            fn to_float(&self, a: Self::W, signed: bool) -> Self::F;
+            /// The integer of this type that is nearest to `a`, towards zero.
+            fn to_word(&self, a: Self::F, to: Scalar) -> Self::W;
+            /// The number that `a` is as an integer of this type.
+            fn to_float(&self, a: Self::W, from: Scalar) -> Self::F;
             fn bits(&self, a: Self::F) -> Self::W;
             fn float_of_bits(&self, a: Self::W) -> Self::F;
 

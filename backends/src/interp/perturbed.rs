@@ -4,7 +4,9 @@
 //! It rounds either way, errs by whole ULPs, takes absolute errors, flushes subnormal numbers, and fuses
 //! products into the sums that follow them.
 
+use super::judge::integer;
 use super::model::{Model, Pick};
+use super::program::Scalar;
 use lobe_codegen::intrinsics::{Accuracy, Intrinsic};
 use std::cell::Cell;
 
@@ -28,8 +30,13 @@ fn plain(value: f32) -> Number {
 }
 
 impl Perturbed {
-    pub(super) fn new(seed: u64) -> Self {
+    fn new(seed: u64) -> Self {
         Self { state: Cell::new(seed) }
+    }
+
+    /// The driver of a part of the work, so that parts err differently.
+    pub(super) fn nth(seed: u64, part: usize) -> Self {
+        Self::new(seed ^ (part as u64).wrapping_mul(0x5851_f42d_4c95_7f2d))
     }
 
     /// SplitMix64.
@@ -140,7 +147,7 @@ impl Perturbed {
 impl Model for Perturbed {
     const SHADOW: bool = false;
     type F = Number;
-    type W = u32;
+    type W = u64;
     type B = bool;
 
     fn float(&self, value: f32, _: f64) -> Number {
@@ -159,31 +166,31 @@ impl Model for Perturbed {
         if pick.value { a } else { b }
     }
 
-    fn word(&self, value: u32) -> u32 {
+    fn word(&self, value: u64) -> u64 {
         value
     }
-    fn word_value(&self, a: u32) -> u32 {
+    fn word_value(&self, a: u64) -> u64 {
         a
     }
-    fn word_exact(&self, a: u32) -> u32 {
+    fn word_exact(&self, a: u64) -> u64 {
         a
     }
-    fn known(&self, _: u32) -> bool {
+    fn known(&self, _: u64) -> bool {
         true
     }
-    fn word_parts(&self, value: u32, _: u32) -> u32 {
+    fn word_parts(&self, value: u64, _: u64) -> u64 {
         value
     }
-    fn forget(&self, a: u32) -> u32 {
+    fn forget(&self, a: u64) -> u64 {
         a
     }
-    fn map_w(&self, a: u32, f: impl Fn(u32) -> u32) -> u32 {
+    fn map_w(&self, a: u64, f: impl Fn(u64) -> u64) -> u64 {
         f(a)
     }
-    fn zip_w(&self, a: u32, b: u32, f: impl Fn(u32, u32) -> u32) -> u32 {
+    fn zip_w(&self, a: u64, b: u64, f: impl Fn(u64, u64) -> u64) -> u64 {
         f(a, b)
     }
-    fn join_w(&self, a: u32, b: u32, pick: Pick) -> u32 {
+    fn join_w(&self, a: u64, b: u64, pick: Pick) -> u64 {
         if pick.value { a } else { b }
     }
 
@@ -212,7 +219,7 @@ impl Model for Perturbed {
         a != b
     }
 
-    fn compare_w(&self, a: u32, b: u32, f: impl Fn(u32, u32) -> bool) -> bool {
+    fn compare_w(&self, a: u64, b: u64, f: impl Fn(u64, u64) -> bool) -> bool {
         f(a, b)
     }
     fn less(&self, a: Number, b: Number) -> bool {
@@ -231,17 +238,22 @@ impl Model for Perturbed {
         a.value.is_infinite()
     }
 
-    fn to_word(&self, a: Number, signed: bool) -> u32 {
-        if signed { a.value as i32 as u32 } else { a.value as u32 }
+    fn to_word(&self, a: Number, to: Scalar) -> u64 {
+        integer::truncated(a.value, to)
     }
-    fn to_float(&self, a: u32, signed: bool) -> Number {
-        plain(self.either(if signed { f64::from(a as i32) } else { f64::from(a) }))
+    fn to_float(&self, a: u64, from: Scalar) -> Number {
+        let exact = integer::number(a, from);
+        plain(if exact as f64 as i128 == exact {
+            self.either(exact as f64)
+        } else {
+            integer::rounded(a, from)
+        })
     }
-    fn bits(&self, a: Number) -> u32 {
-        a.value.to_bits()
+    fn bits(&self, a: Number) -> u64 {
+        a.value.to_bits().into()
     }
-    fn float_of_bits(&self, a: u32) -> Number {
-        plain(f32::from_bits(a))
+    fn float_of_bits(&self, a: u64) -> Number {
+        plain(f32::from_bits(a as u32))
     }
 
     fn add(&self, a: Number, b: Number) -> Number {

@@ -1,6 +1,8 @@
 //! Plain IEEE f32: what the native functions compute, bit for bit, because they compute it.
 
+use super::judge::integer;
 use super::model::{Model, Pick};
+use super::program::Scalar;
 use lobe_codegen::math::scalar;
 
 /// One number a lane.
@@ -26,7 +28,7 @@ macro_rules! infix {
 impl Model for Strict {
     const SHADOW: bool = false;
     type F = f32;
-    type W = u32;
+    type W = u64;
     type B = bool;
 
     fn float(&self, value: f32, _: f64) -> f32 {
@@ -45,31 +47,31 @@ impl Model for Strict {
         if pick.value { a } else { b }
     }
 
-    fn word(&self, value: u32) -> u32 {
+    fn word(&self, value: u64) -> u64 {
         value
     }
-    fn word_value(&self, a: u32) -> u32 {
+    fn word_value(&self, a: u64) -> u64 {
         a
     }
-    fn word_exact(&self, a: u32) -> u32 {
+    fn word_exact(&self, a: u64) -> u64 {
         a
     }
-    fn known(&self, _: u32) -> bool {
+    fn known(&self, _: u64) -> bool {
         true
     }
-    fn word_parts(&self, value: u32, _: u32) -> u32 {
+    fn word_parts(&self, value: u64, _: u64) -> u64 {
         value
     }
-    fn forget(&self, a: u32) -> u32 {
+    fn forget(&self, a: u64) -> u64 {
         a
     }
-    fn map_w(&self, a: u32, f: impl Fn(u32) -> u32) -> u32 {
+    fn map_w(&self, a: u64, f: impl Fn(u64) -> u64) -> u64 {
         f(a)
     }
-    fn zip_w(&self, a: u32, b: u32, f: impl Fn(u32, u32) -> u32) -> u32 {
+    fn zip_w(&self, a: u64, b: u64, f: impl Fn(u64, u64) -> u64) -> u64 {
         f(a, b)
     }
-    fn join_w(&self, a: u32, b: u32, pick: Pick) -> u32 {
+    fn join_w(&self, a: u64, b: u64, pick: Pick) -> u64 {
         if pick.value { a } else { b }
     }
 
@@ -98,7 +100,7 @@ impl Model for Strict {
         a != b
     }
 
-    fn compare_w(&self, a: u32, b: u32, f: impl Fn(u32, u32) -> bool) -> bool {
+    fn compare_w(&self, a: u64, b: u64, f: impl Fn(u64, u64) -> bool) -> bool {
         f(a, b)
     }
     fn less(&self, a: f32, b: f32) -> bool {
@@ -117,17 +119,17 @@ impl Model for Strict {
         a.is_infinite()
     }
 
-    fn to_word(&self, a: f32, signed: bool) -> u32 {
-        if signed { scalar::to_i32(a) as u32 } else { scalar::to_u32(a) }
+    fn to_word(&self, a: f32, to: Scalar) -> u64 {
+        integer::truncated(a, to)
     }
-    fn to_float(&self, a: u32, signed: bool) -> f32 {
-        if signed { a as i32 as f32 } else { a as f32 }
+    fn to_float(&self, a: u64, from: Scalar) -> f32 {
+        integer::rounded(a, from)
     }
-    fn bits(&self, a: f32) -> u32 {
-        a.to_bits()
+    fn bits(&self, a: f32) -> u64 {
+        a.to_bits().into()
     }
-    fn float_of_bits(&self, a: u32) -> f32 {
-        f32::from_bits(a)
+    fn float_of_bits(&self, a: u64) -> f32 {
+        f32::from_bits(a as u32)
     }
 
     infix! { add +; sub -; mul *; div /; rem %; }

@@ -1,5 +1,6 @@
-//! Programs by chance: what lanes do on each instruction set is what the walking machine does.
+//! Programs by chance: what lanes do on each instruction set is what the judge does, and no driver leaves its bounds.
 
+use crate::soundness::{Seen, check};
 use crate::support::{Chance, call, columns};
 
 /// Programs that a run tries.
@@ -96,24 +97,49 @@ impl Writer {
     }
 }
 
-#[test]
-fn chance_programs_leave_what_the_walking_machine_leaves() {
+fn writer() -> Writer {
     let seed = std::env::var("LOBE_SEED").ok().and_then(|s| s.parse().ok()).unwrap_or(0x1a9e);
     println!("seed {seed:#x}");
-    let mut writer = Writer { chance: Chance(seed), loops: 0, names: 0 };
+    Writer { chance: Chance(seed), loops: 0, names: 0 }
+}
+
+/// A program whose variables begin like this.
+fn program(writer: &mut Writer, first: &str) -> String {
+    let body = writer.block(3);
+    format!(
+        "fn g(p: f32, q: f32) -> f32 {{ if p < q {{ return q - p; }} return p * 0.5; }}
+        fn h(p: ptr<function, f32>, q: f32) {{ if q > 0.0 {{ *p += q; }} else {{ *p = -*p; }} }}
+        fn f(x: u32, y: f32) -> vec4<f32> {{
+            {first} var n = x; var v = array<f32, 4>(1.0, -1.0, y, 0.25);
+            {body}
+            return vec4(a, b, c + v[0] + v[3], f32(n));
+        }}"
+    )
+}
+
+#[test]
+fn chance_programs_leave_what_the_judge_leaves() {
+    let mut writer = writer();
     for _ in 0..PROGRAMS {
-        let body = writer.block(3);
-        let text = format!(
-            "fn g(p: f32, q: f32) -> f32 {{ if p < q {{ return q - p; }} return p * 0.5; }}
-            fn h(p: ptr<function, f32>, q: f32) {{ if q > 0.0 {{ *p += q; }} else {{ *p = -*p; }} }}
-            fn f(x: u32, y: f32) -> vec4<f32> {{
-                var a = y; var b = 2.0; var c = 3.0; var n = x; var v = array<f32, 4>(1.0, -1.0, y, 0.25);
-                {body}
-                return vec4(a, b, c + v[0] + v[3], f32(n));
-            }}"
-        );
+        let text = program(&mut writer, "var a = y; var b = 2.0; var c = 3.0;");
         let whole: Vec<u32> = (0..ROWS).map(|_| writer.chance.below(9) as u32).collect();
         let floats: Vec<u32> = writer.chance.floats(ROWS).iter().map(|x| x.to_bits()).collect();
         call(&text, &columns(&[whole, floats]));
     }
+}
+
+#[test]
+fn halves_of_lanes_meet_soundly() {
+    const FEW: [f32; 6] = [0.5, 1.0, 1.1, 2.0, 2.2, 3.0];
+    let (mut writer, mut seen) = (writer(), Seen::default());
+    for _ in 0..PROGRAMS {
+        // Numbers that drivers round apart, so that comparisons are open.
+        let text = program(&mut writer, "var a = y * 1.1; var b = 2.0 * 1.1; var c = 3.3 / 3.0;");
+        let whole: Vec<u32> = (0..ROWS / 4).map(|_| writer.chance.below(9) as u32).collect();
+        let few = (0..ROWS / 4).map(|_| FEW[writer.chance.below(6)].to_bits()).collect();
+        let seed = writer.chance.0;
+        check(&text, &columns(&[whole, few]), seed, &mut seen);
+    }
+    println!("{} of {} bounded, {} rows ambiguous", seen.bounded, seen.rows, seen.ambiguous);
+    assert!(seen.ambiguous * 20 > seen.rows / 4 && seen.bounded * 2 > seen.rows);
 }

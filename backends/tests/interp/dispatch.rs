@@ -162,9 +162,9 @@ fn the_last_writer_of_a_place_is_the_last_invocation() {
         }";
     let left = settled(text, [1000, 1, 1], &[buffer(0, &[0; 64])]);
     assert_eq!(left[0], (63_936..64_000).collect::<Vec<_>>());
-    let mut walked = [buffer(0, &[0; 64])];
-    Interpreter::new(&module(text)).unwrap().run_walking(0, [1000, 1, 1], &mut walked).unwrap();
-    assert_eq!(words(&walked[0]), left[0]);
+    let mut judged = [buffer(0, &[0; 64])];
+    Interpreter::new(&module(text)).unwrap().run_judged(0, [1000, 1, 1], &mut judged).unwrap();
+    assert_eq!(words(&judged[0]), left[0]);
 }
 
 /// Indices are clamped: invocations beyond the array write its last element, the last one last.

@@ -11,16 +11,16 @@ const DRIVERS: u64 = 12;
 
 /// Shares of rows with a finite bound and of rows that met an ambiguous decision.
 #[derive(Default)]
-struct Seen {
-    rows: usize,
-    bounded: usize,
-    ambiguous: usize,
+pub(crate) struct Seen {
+    pub(crate) rows: usize,
+    pub(crate) bounded: usize,
+    pub(crate) ambiguous: usize,
     /// Largest share of a bound that a driver used up.
     used: f64,
 }
 
 /// Checks strict and chance drivers against the bounds of `f`.
-fn check(text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
+pub(crate) fn check(text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
     let module = module(text);
     let f = module.function("f").unwrap();
     let interpreter = Interpreter::new(&module).unwrap();

@@ -19,16 +19,16 @@ pub(crate) fn floats(lists: &[Vec<f32>]) -> Columns {
     columns(&lists.iter().map(|l| l.iter().map(|x| x.to_bits()).collect()).collect::<Vec<_>>())
 }
 
-/// Calls `f` of the module: on every instruction set that there is, and by the machine that walks the IR.
+/// Calls `f` of the module: on every instruction set that there is, and by the judge.
 pub(crate) fn call(text: &str, args: &Columns) -> Columns {
     let module = module(text);
     let f = module.function("f").unwrap();
-    let walked = Interpreter::new(&module).unwrap().call_walking(f, args).unwrap();
+    let judged = Interpreter::new(&module).unwrap().call_judged(f, args).unwrap();
     for isa in Isa::available() {
         let called = Interpreter::new(&module).unwrap().with_isa(isa).call(f, args).unwrap();
-        assert_eq!(without_nan(&called), without_nan(&walked), "{isa} and the walking machine\n{text}");
+        assert_eq!(without_nan(&called), without_nan(&judged), "{isa} and the judge\n{text}");
     }
-    walked
+    judged
 }
 
 /// The same with one NaN for all: which one an operation returns is the processor's choice.

@@ -147,13 +147,13 @@ impl<const N: usize> Linker<'_, N> {
                     self.choose(*condition, accept, reject, mask, arrays)
                 }
             }
-            Stmt::Loop { label, body, function } => self.repeat(*label, body, *function, mask, arrays),
+            Stmt::Loop { label, body, function, .. } => self.repeat(*label, body, *function, mask, arrays),
             Stmt::Scope { label, body } => self.scope(*label, body, mask, arrays),
             Stmt::Leave(label) => {
                 self.leave(*label, mask);
                 Ok(())
             }
-            Stmt::Barrier { function } => {
+            Stmt::Barrier { function, .. } => {
                 self.push::<super::control::Barrier>(0, [mask.slot, 0, 0, 0], [*function, 0, 0]);
                 Ok(())
             }

@@ -21,6 +21,8 @@ pub(crate) struct Builder {
     labels: u32,
     /// Counts what may change memory; see [`Op::Load`].
     epoch: u32,
+    /// Whether operations that may err are written as often as the source has them: each errs on its own.
+    pub(crate) repeat: bool,
     /// Statements written so far.
     pub(crate) size: usize,
     pub(crate) at: Span,
@@ -39,6 +41,8 @@ impl Builder {
                 samplers: Vec::new(),
                 body: Block::new(),
                 results: Vec::new(),
+                columns: 0,
+                truths: Vec::new(),
                 cooperative: false,
             },
             constants: HashMap::new(),
@@ -47,6 +51,7 @@ impl Builder {
             open: vec![(Block::new(), 0)],
             labels: 0,
             epoch: 0,
+            repeat: false,
             size: 0,
             at: Span::UNDEFINED,
         }
@@ -138,12 +143,23 @@ impl Builder {
             return known;
         }
         let args = Args::new(args);
+        if self.repeat && errs(op) {
+            return self.compute(op, args);
+        }
         if let Some(reg) = self.seen.get(&(op, args)) {
             return Value::Reg(*reg);
         }
+        let value = self.compute(op, args);
+        if let Value::Reg(to) = value {
+            self.seen.insert((op, args), to);
+            self.log.push((op, args));
+        }
+        value
+    }
+
+    /// Writes an operation.
+    fn compute(&mut self, op: Op, args: Args) -> Value {
         let to = self.register(op.result());
-        self.seen.insert((op, args), to);
-        self.log.push((op, args));
         self.push(Stmt::Eval(Eval { to, op, args, at: self.at }));
         Value::Reg(to)
     }
@@ -165,6 +181,7 @@ impl Builder {
             | Op::Index { .. }
             | Op::Length { .. }
             | Op::Load { .. }
+            | Op::Mark(..)
             | Op::Fused { .. } => false,
         };
         let known = args.iter().map(|a| self.known(*a)).collect::<Option<Vec<_>>>().filter(|_| exact)?;
@@ -231,5 +248,27 @@ impl Builder {
         let wide = scalars.iter().any(|s| s.wide());
         self.program.arrays.push(LaneArray { len: scalars.len() as u32, wide });
         self.program.arrays.len() as u32 - 1
+    }
+}
+
+/// Whether drivers may differ in it.
+fn errs(op: Op) -> bool {
+    match op {
+        Op::Float(..) | Op::Convert(..) | Op::Ldexp(_) => true,
+        Op::Copy(_)
+        | Op::Input(..)
+        | Op::Int(..)
+        | Op::Compare(..)
+        | Op::Logic(_)
+        | Op::IsNan(_)
+        | Op::IsInf(_)
+        | Op::Select(_)
+        | Op::Bitcast(..)
+        | Op::Exponent(_)
+        | Op::Index { .. }
+        | Op::Length { .. }
+        | Op::Load { .. }
+        | Op::Mark(..)
+        | Op::Fused { .. } => false,
     }
 }

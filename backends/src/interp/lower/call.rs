@@ -34,6 +34,7 @@ impl<'m> Lowerer<'m> {
     pub(crate) fn invoke(&mut self, scope: Scope, arguments: Vec<Item>) -> Res<Vec<Value>> {
         let outer = self.variables.len();
         let mut frame = self.enter(scope, arguments)?;
+        self.note_spans(&frame);
         if self.b.size > LARGEST {
             return Err(frame.unsupported("calls that inline to so many statements"));
         }
@@ -48,7 +49,7 @@ impl<'m> Lowerer<'m> {
         let results = self.variables[frame.result..].iter().take(self.result_count(function)?);
         let results = results.copied().collect();
         self.variables.truncate(outer);
-        Ok(results)
+        Ok(self.marked(&frame, results))
     }
 
     /// Walks the body of a function with returns in its midst.
@@ -141,7 +142,7 @@ impl<'m> Lowerer<'m> {
             }
             None => {
                 let scalars = self.types().kinds(Shape::Type(variable.ty))?;
-                Ok(self.zeros(&scalars))
+                Ok(self.unwritten(&scalars))
             }
         }
     }

@@ -162,7 +162,7 @@ impl<'m> Lowerer<'m> {
                 Some(init) => self.global(init)?,
                 None => {
                     let scalars = self.types().kinds(shape)?;
-                    self.zeros(&scalars)
+                    self.unwritten(&scalars)
                 }
             };
             let indexed = self.scan.indexed_globals.contains(&handle.index());

@@ -56,6 +56,7 @@ impl<'m> Lowerer<'m> {
         then: Option<&Then<'_, 'm>>,
     ) -> Res<Flow> {
         for (at, statement) in statements.iter().enumerate() {
+            self.locate(statement);
             let rest = Then { statements: &statements[at + 1..], next: then };
             if let Statement::Block(inner) = statement {
                 return self.sequence(frame, inner, Some(&rest));
@@ -260,7 +261,7 @@ impl<'m> Lowerer<'m> {
         let scalars = self.scalars_of(frame, &written)?;
         let kept = self.keep(scalars);
         self.b.touch();
-        let function = frame.name;
+        let (function, at) = (frame.name, self.b.at);
         let inner = kept.clone();
         let (label, code) = self.within(Purpose::Break, kept, frame, |this, frame, exit| {
             let flow = if scan::continues(body) {
@@ -289,7 +290,7 @@ impl<'m> Lowerer<'m> {
             Ok(Flow::Falls)
         })?;
         self.b.touch();
-        self.b.push(Stmt::Loop { label, body: code, function });
+        self.b.push(Stmt::Loop { label, body: code, function, at });
         Ok(Flow::Falls)
     }
 

@@ -41,6 +41,7 @@ impl<'m> Lowerer<'m> {
             }
             items.push(Item::values(values));
         }
+        self.b.program.columns = column as usize;
         Ok(items)
     }
 

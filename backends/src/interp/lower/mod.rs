@@ -8,6 +8,7 @@
 //! - `frame` is a function being walked: values of its expressions, its variables.
 //! - `control` turns statements to structured control flow; `call` enters functions.
 //! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
+//! - `mark` tells judges what they want to know beside the operations.
 //! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
 //!   `geometry`, `matrix`, `integer`, `packing`, `texture`.
 //!
@@ -28,6 +29,7 @@ mod frame;
 mod geometry;
 mod integer;
 mod layout;
+mod mark;
 mod math;
 mod matrix;
 mod memory;
@@ -67,11 +69,25 @@ pub(crate) struct Lowerer<'m> {
     exits: Vec<control::Exit>,
     /// What is being lowered.
     root: Option<lobe_codegen::module::Scope>,
+    reader: Reader,
+    /// Where the source has statements.
+    spans: mark::Spans,
+}
+
+/// Whom a program is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reader {
+    /// The executor on lanes, which wants results.
+    Lanes,
+    /// A judge of numbers, which wants each operation that errs, and marks.
+    Judge,
+    /// A judge of the program, which also wants to know what nothing was written to.
+    Sanitizer,
 }
 
 /// Lowers function `f`; its parameters' scalars are the input columns.
-pub(crate) fn function(module: &ValidModule, f: Handle<Function>) -> Res<Program> {
-    let mut lowerer = Lowerer::new(module)?;
+pub(crate) fn function(module: &ValidModule, f: Handle<Function>, reader: Reader) -> Res<Program> {
+    let mut lowerer = Lowerer::new(module, reader)?;
     lowerer.root = Some(lobe_codegen::module::Scope::Function(f));
     let arguments = lowerer.columns(&module.module().functions[f])?;
     let results = lowerer.invoke(lobe_codegen::module::Scope::Function(f), arguments)?;
@@ -79,8 +95,8 @@ pub(crate) fn function(module: &ValidModule, f: Handle<Function>) -> Res<Program
 }
 
 /// Lowers compute entry point `index`.
-pub(crate) fn entry(module: &ValidModule, index: usize) -> Res<Program> {
-    let mut lowerer = Lowerer::new(module)?;
+pub(crate) fn entry(module: &ValidModule, index: usize, reader: Reader) -> Res<Program> {
+    let mut lowerer = Lowerer::new(module, reader)?;
     lowerer.root = Some(lobe_codegen::module::Scope::Entry(index));
     let arguments = lowerer.builtins(index)?;
     lowerer.invoke(lobe_codegen::module::Scope::Entry(index), arguments)?;
@@ -88,7 +104,7 @@ pub(crate) fn entry(module: &ValidModule, index: usize) -> Res<Program> {
 }
 
 impl<'m> Lowerer<'m> {
-    fn new(module: &'m ValidModule) -> Res<Self> {
+    fn new(module: &'m ValidModule, reader: Reader) -> Res<Self> {
         let count = module.module().global_variables.len();
         let mut lowerer = Self {
             module,
@@ -98,7 +114,10 @@ impl<'m> Lowerer<'m> {
             globals: vec![None; count],
             exits: Vec::new(),
             root: None,
+            reader,
+            spans: mark::Spans::new(),
         };
+        lowerer.b.repeat = reader != Reader::Lanes;
         lowerer.private_variables()?;
         Ok(lowerer)
     }

@@ -77,7 +77,7 @@ impl<'m> Lowerer<'m> {
     fn barrier(&mut self, frame: &Frame<'m>) -> Flow {
         self.b.touch();
         self.b.program.cooperative = true;
-        self.b.push(Stmt::Barrier { function: frame.name });
+        self.b.push(Stmt::Barrier { function: frame.name, at: self.b.at });
         Flow::Falls
     }
 }

@@ -73,6 +73,7 @@ fn weight(op: Op) -> u32 {
         | Op::Bitcast(..)
         | Op::Index { .. }
         | Op::Length { .. }
+        | Op::Mark(..)
         | Op::Fused { .. } => 1,
     }
 }

@@ -42,6 +42,7 @@ fn commutes(op: Op) -> bool {
         | Op::Ldexp(_)
         | Op::Index { .. }
         | Op::Length { .. }
+        | Op::Mark(..)
         | Op::Load { .. }
         | Op::Fused { .. } => false,
     }

@@ -144,6 +144,7 @@ impl Pass<'_> {
             | Op::Bitcast(..)
             | Op::Exponent(_)
             | Op::Ldexp(_)
+            | Op::Mark(..)
             | Op::Index { .. }
             | Op::Length { .. }
             | Op::Fused { .. } => false,

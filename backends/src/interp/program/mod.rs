@@ -1,8 +1,8 @@
 //! Lowered programs: a function or an entry point as operations on scalars, with structured control flow.
 //!
 //! `lower` makes them from naga's IR, once; `passes` rewrite them; `fast` links them into code and runs it.
-//! Nothing here knows naga's expressions, lanes or instruction sets, so that a second executor, generic over
-//! what a number is, can run the same programs.
+//! `judge` runs them as they are lowered, on whatever numbers a model has.
+//! Nothing here knows naga's expressions, lanes or instruction sets.
 //!
 //! - Vectors, matrices, arrays and structures are their scalars; calls are inlined; pointers are resolved.
 //! - A [`Value`] is a constant or a register. A register is computed by one statement: by [`Stmt::Eval`] in all lanes,
@@ -101,7 +101,7 @@ pub(crate) struct Eval {
     pub(crate) op: Op,
     pub(crate) args: Args,
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings and traces will name it")]
+    #[expect(dead_code, reason = "findings name it")]
     pub(crate) at: Span,
 }
 
@@ -120,7 +120,7 @@ pub(crate) enum Stmt {
         place: Place,
         value: Value,
         /// Where the source has it.
-        #[expect(dead_code, reason = "findings and traces will name it")]
+        #[expect(dead_code, reason = "findings name it")]
         at: Span,
     },
     /// Replaces a word of memory in the active lanes, one after the other; `old` takes what it was.
@@ -132,13 +132,25 @@ pub(crate) enum Stmt {
     /// The active lanes run one arm or the other.
     If { condition: Value, accept: Block, reject: Block },
     /// Repeats `body` until no lane is left in it; [`Stmt::Leave`] leaves. `function` names it in messages.
-    Loop { label: Label, body: Block, function: u32 },
+    Loop {
+        label: Label,
+        body: Block,
+        function: u32,
+        /// Where the source has it.
+        #[expect(dead_code, reason = "findings name it")]
+        at: Span,
+    },
     /// Runs `body` once; lanes may leave it early.
     Scope { label: Label, body: Block },
     /// The active lanes go to the end of an enclosing loop or scope. The last statement of its block.
     Leave(Label),
     /// All invocations of the workgroup meet.
-    Barrier { function: u32 },
+    Barrier {
+        function: u32,
+        /// Where the source has it.
+        #[expect(dead_code, reason = "findings name it")]
+        at: Span,
+    },
 }
 
 /// An atomic update of one 32- or 64-bit word.
@@ -152,7 +164,7 @@ pub(crate) struct Atomic {
     /// Takes the former word.
     pub(crate) old: Option<Reg>,
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings and traces will name it")]
+    #[expect(dead_code, reason = "findings name it")]
     pub(crate) at: Span,
 }
 
@@ -187,6 +199,10 @@ pub(crate) struct Program {
     pub(crate) body: Block,
     /// The result's scalars.
     pub(crate) results: Vec<Value>,
+    /// Columns of a function's arguments.
+    pub(crate) columns: usize,
+    /// The exact functions that marks name.
+    pub(crate) truths: Vec<lobe_codegen::def::Truth>,
     /// Whether invocations of a workgroup depend on each other: barriers, workgroup memory,
     /// subgroups.
     pub(crate) cooperative: bool,

@@ -193,6 +193,17 @@ pub(crate) enum Simple {
     Mul,
 }
 
+/// What a judge wants to know of a value; the value is the first operand. Lowered for judges alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Mark {
+    /// A result of a function.
+    Settled,
+    /// The result of a function that stands for an exact one, of [`super::Program::truths`]; then its arguments.
+    Truth(u32),
+    /// Zero, of a variable that nothing was written to; has no operand.
+    Unwritten,
+}
+
 /// A pure, total operation on scalars.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Op {
@@ -233,6 +244,8 @@ pub(crate) enum Op {
         scalar: Scalar,
         epoch: u32,
     },
+    /// See [`Mark`].
+    Mark(Scalar, Mark),
     /// `(a first b) second c`, or `c second (a first b)` if `flipped`; rounded twice. Made by passes.
     Fused {
         first: Simple,
@@ -253,6 +266,7 @@ impl Op {
             | Self::Convert(_, s)
             | Self::Bitcast(_, s)
             | Self::Ldexp(s)
+            | Self::Mark(s, _)
             | Self::Load { scalar: s, .. } => s,
             Self::Compare(..) | Self::Logic(_) | Self::IsNan(_) | Self::IsInf(_) => Scalar::Bool,
             Self::Exponent(_) => Scalar::I32,
@@ -280,6 +294,7 @@ impl Op {
             | Self::Ldexp(_)
             | Self::Index { .. }
             | Self::Length { .. }
+            | Self::Mark(..)
             | Self::Fused { .. } => None,
         }
     }

@@ -72,9 +72,9 @@ pub(super) struct Float {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Word {
     /// On the f32 path.
-    pub(super) value: u32,
+    pub(super) value: u64,
     /// On the exact path.
-    pub(super) exact: u32,
+    pub(super) exact: u64,
     /// Whether every permitted driver has the same value.
     pub(super) known: bool,
 }
@@ -174,6 +174,11 @@ impl Shadow {
     /// The largest distance of a number from its exact value.
     pub(super) fn bound(&self, a: Float) -> f64 {
         a.bound().min(self.tape.borrow_mut().bound(a))
+    }
+
+    /// The same number where there is no tape.
+    pub(super) fn detached(&self, a: Float) -> Float {
+        Float { place: Place::NONE, ..self.tightened(a) }
     }
 
     /// The same number, in the interval that the tape leaves it.

@@ -4,7 +4,9 @@ use super::round::{down, up};
 use super::slope::{only, rounded, rounded_product, rounded_sum};
 use super::tape::Slope;
 use super::{Float, Shadow, Truth, Word, boolean, elementary, interval, pieces, slope};
+use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
+use crate::interp::program::Scalar;
 use lobe_codegen::math::scalar;
 
 /// Operations that put their results on the tape themselves, or whose results are sources there.
@@ -20,15 +22,6 @@ macro_rules! forward {
             elementary::$name(self, $($arg),*)
         })*
     };
-}
-
-/// The integers that the f32 number and the exact one convert to.
-fn to_word(value: f32, exact: f64, signed: bool) -> (u32, u32) {
-    if signed {
-        (scalar::to_i32(value) as u32, exact as i32 as u32)
-    } else {
-        (scalar::to_u32(value), exact as u32)
-    }
 }
 
 impl Model for Shadow {
@@ -69,28 +62,28 @@ impl Model for Shadow {
         self.source(Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high), ..a })
     }
 
-    fn word(&self, value: u32) -> Word {
+    fn word(&self, value: u64) -> Word {
         Word { value, exact: value, known: true }
     }
-    fn word_value(&self, a: Word) -> u32 {
+    fn word_value(&self, a: Word) -> u64 {
         a.value
     }
-    fn word_exact(&self, a: Word) -> u32 {
+    fn word_exact(&self, a: Word) -> u64 {
         a.exact
     }
     fn known(&self, a: Word) -> bool {
         a.known
     }
-    fn word_parts(&self, value: u32, exact: u32) -> Word {
+    fn word_parts(&self, value: u64, exact: u64) -> Word {
         Word { value, exact, known: value == exact }
     }
     fn forget(&self, a: Word) -> Word {
         Word { known: false, ..a }
     }
-    fn map_w(&self, a: Word, f: impl Fn(u32) -> u32) -> Word {
+    fn map_w(&self, a: Word, f: impl Fn(u64) -> u64) -> Word {
         Word { value: f(a.value), exact: f(a.exact), known: a.known }
     }
-    fn zip_w(&self, a: Word, b: Word, f: impl Fn(u32, u32) -> u32) -> Word {
+    fn zip_w(&self, a: Word, b: Word, f: impl Fn(u64, u64) -> u64) -> Word {
         Word { value: f(a.value, b.value), exact: f(a.exact, b.exact), known: a.known && b.known }
     }
     fn join_w(&self, a: Word, b: Word, pick: Pick) -> Word {
@@ -130,7 +123,7 @@ impl Model for Shadow {
         a.xor(b)
     }
 
-    fn compare_w(&self, a: Word, b: Word, f: impl Fn(u32, u32) -> bool) -> Truth {
+    fn compare_w(&self, a: Word, b: Word, f: impl Fn(u64, u64) -> bool) -> Truth {
         Truth { value: f(a.value, b.value), exact: f(a.exact, b.exact), ambiguous: !(a.known && b.known) }
     }
     fn less(&self, a: Float, b: Float) -> Truth {
@@ -152,14 +145,13 @@ impl Model for Shadow {
         Truth { value: a.value.is_infinite(), exact: a.exact.is_infinite(), ambiguous: !a.bounded() }
     }
 
-    fn to_word(&self, a: Float, signed: bool) -> Word {
-        let (value, exact) = to_word(a.value, a.exact, signed);
-        let (low, high) = (to_word(0.0, a.low, signed).1, to_word(0.0, a.high, signed).1);
-        Word { value, exact, known: a.bounded() && low == high }
+    fn to_word(&self, a: Float, to: Scalar) -> Word {
+        let number = |x: f64| integer::truncated_exact(x, to);
+        let known = a.bounded() && number(a.low) == number(a.high);
+        Word { value: integer::truncated(a.value, to), exact: number(a.exact), known }
     }
-    fn to_float(&self, a: Word, signed: bool) -> Float {
-        let number = |w: u32| if signed { f64::from(w as i32) } else { f64::from(w) };
-        let (value, exact) = (number(a.value) as f32, number(a.exact));
+    fn to_float(&self, a: Word, from: Scalar) -> Float {
+        let (value, exact) = (integer::rounded(a.value, from), integer::number(a.exact, from) as f64);
         if a.known {
             self.source(Float::closed(value, exact, down(exact), up(exact)))
         } else {
@@ -167,12 +159,13 @@ impl Model for Shadow {
         }
     }
     fn bits(&self, a: Float) -> Word {
-        let exact = (a.exact as f32).to_bits();
+        let exact = (a.exact as f32).to_bits().into();
         // Zero has two signs, and a driver may have either.
-        Word { value: a.value.to_bits(), exact, known: a.is_point() && (a.low != 0.0) }
+        Word { value: a.value.to_bits().into(), exact, known: a.is_point() && (a.low != 0.0) }
     }
     fn float_of_bits(&self, a: Word) -> Float {
-        let (value, exact) = (f32::from_bits(a.value), f64::from(f32::from_bits(a.exact)));
+        let number = |bits: u64| f32::from_bits(bits as u32);
+        let (value, exact) = (number(a.value), f64::from(number(a.exact)));
         if a.known { self.float(value, exact) } else { Float::unbounded(value, exact) }
     }
     fn nonnegative(&self, a: Float) -> Float {

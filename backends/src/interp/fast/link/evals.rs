@@ -40,6 +40,7 @@ impl<const N: usize> Linker<'_, N> {
             | Op::Bitcast(..)
             | Op::Exponent(_)
             | Op::Ldexp(_)
+            | Op::Mark(..)
             | Op::Fused { .. }) => self.operation(op, eval, d),
         }
     }

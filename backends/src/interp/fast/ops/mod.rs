@@ -78,6 +78,8 @@ pub(super) fn find<const N: usize>(op: Op, ask: Ask) -> Option<Found<N>> {
         Op::Fused { first, second, flipped } => Some(fused::find(first, second, flipped, ask)),
         // `memory` and `control` link these.
         Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. } => None,
+        // For judges.
+        Op::Mark(..) => None,
         Op::Float(_, _) => None,
     }
 }
