@@ -17,6 +17,9 @@ pub const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
 /// How long an idle device may take to close before it is left behind.
 const CLOSING_TIME: Duration = Duration::from_secs(5);
 
+/// Stack of a device's thread: naga and drivers' compilers recurse as deeply as a shader nests.
+const STACK: usize = 1 << 28;
+
 /// An opened device, with the pipelines and buffers of its recent jobs.
 pub struct Gpu {
     driver: Driver,
@@ -128,7 +131,8 @@ impl Worker {
         let (answers_there, answers) = mpsc::channel();
         let (opened_there, opened) = mpsc::channel();
         let theirs = driver.clone();
-        let spawned = thread::Builder::new().name(format!("gpu {}", driver.name)).spawn(move || {
+        let builder = thread::Builder::new().name(format!("gpu {}", driver.name)).stack_size(STACK);
+        let spawned = builder.spawn(move || {
             match Device::open(&theirs) {
                 Ok(device) => {
                     if opened_there.send(Ok(device.limits())).is_ok() {

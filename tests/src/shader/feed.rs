@@ -14,6 +14,9 @@ pub const LARGEST: usize = 1 << 30;
 /// Largest buffer whose length nobody stated.
 const UNSTATED: usize = 1 << 26;
 
+/// Fewest elements of a buffer whose length nobody stated.
+const FEWEST: u64 = 64;
+
 /// Where the bytes come from.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -54,7 +57,7 @@ impl std::fmt::Display for Feed {
 }
 
 /// The bytes of `resource`: `size` of them if one is stated, else those of the file, else as many elements as there
-/// are invocations.
+/// are invocations, and at least 64.
 ///
 /// # Errors
 /// When the file cannot be read or does not follow the type, or the size does not fit.
@@ -94,11 +97,11 @@ fn checked(name: &str, size: usize) -> Result<usize, String> {
     Err(format!("`{name}` would have {size} bytes, more than the {LARGEST} that a buffer may have"))
 }
 
-/// An element for each invocation, if the buffer says how many it has.
+/// An element for each invocation, and [`FEWEST`] at least, if the buffer says how many it has.
 fn usual(resource: &Resource, invocations: u64) -> usize {
     let Some((offset, stride)) = resource.shape.tail() else { return resource.least };
     let stride = u64::from(stride.max(1));
-    let elements = invocations.min(UNSTATED as u64 / stride).max(1);
+    let elements = invocations.max(FEWEST).min(UNSTATED as u64 / stride).max(1);
     let size = u64::from(offset) + elements * stride;
     resource.least.max((size as usize).next_multiple_of(4))
 }

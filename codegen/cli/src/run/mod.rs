@@ -39,7 +39,7 @@ Each buffer that the entry point uses is filled as --input says, else with rando
 random:SEED draws floats from -1..1, u32 from 0..64 and i32 from -32..32; atomics start at 0. \
 FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1.8p3\", \"nan\", \"inf\"), \
 or else the bytes themselves. \
-A buffer that ends in an array without length gets an element for each invocation, up to 64 MiB.
+A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
 
 A batch runs every compute entry point of a file that names none. In a list, what a line says wins over \
 what the command line says; empty lines and lines that begin with # are passed over.

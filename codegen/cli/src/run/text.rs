@@ -14,16 +14,30 @@ pub(super) fn json(report: &Report) -> String {
 /// A report as a line.
 pub(super) fn line(report: &Report) -> String {
     let mut text = format!("{:8} {}", report.status.name(), subject(report));
-    let first = |message: &str| message.lines().find(|l| !l.trim().is_empty()).unwrap_or_default().to_owned();
     if let Some(message) = &report.message {
-        text += &format!(": {}", first(message));
+        text += &format!(": {}", brief(message));
     }
     for found in report.routes.iter().filter(|r| r.message.is_some() || r.buffers.iter().any(is_worth)) {
-        let why = found.message.as_deref().map(first).unwrap_or_default();
+        let why = found.message.as_deref().map(brief).unwrap_or_default();
         let buffers: Vec<String> = found.buffers.iter().filter(|b| is_worth(b)).map(buffer).collect();
         text += &format!("; {} {} {why}{}", found.route, found.status.name(), buffers.join(", "));
     }
     text + "\n"
+}
+
+/// A message of a compiler in one line: what is wrong, where, and its last note.
+fn brief(message: &str) -> String {
+    let mut lines = message.lines().map(str::trim).filter(|l| !l.is_empty());
+    let first = lines.next().unwrap_or_default().to_owned();
+    let mut place = "";
+    let mut note = "";
+    for line in lines {
+        place = line.split_once("┌─ ").map_or(place, |(_, at)| at);
+        note = line.strip_prefix("= ").unwrap_or(note);
+    }
+    let place = if place.is_empty() { String::new() } else { format!(", at {place}") };
+    let note = if note.is_empty() { String::new() } else { format!(", {note}") };
+    first + &place + &note
 }
 
 /// A report with all that it says.
