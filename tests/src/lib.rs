@@ -15,4 +15,5 @@ pub mod question;
 pub mod report;
 pub mod shader;
 pub mod subject;
+pub mod throughput;
 pub mod value;

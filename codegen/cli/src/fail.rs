@@ -6,6 +6,7 @@ use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
+use lobe_tests::throughput::BenchError;
 use lobe_tests::value::RowError;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -19,6 +20,8 @@ pub(crate) enum Outcome {
     FellShort,
     /// Some input is none, as the report says.
     BadInput,
+    /// What a process ended with that did the work.
+    Code(u8),
 }
 
 impl From<Outcome> for ExitCode {
@@ -27,6 +30,7 @@ impl From<Outcome> for ExitCode {
             Outcome::Holds => Self::SUCCESS,
             Outcome::FellShort => Self::from(1),
             Outcome::BadInput => Self::from(2),
+            Outcome::Code(code) => Self::from(code),
         }
     }
 }
@@ -62,6 +66,8 @@ pub(crate) enum Fail {
     Emit(#[from] EmitError),
     #[error(transparent)]
     Mapping(#[from] MappingError),
+    #[error(transparent)]
+    Bench(#[from] BenchError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
 }
@@ -96,6 +102,7 @@ impl Fail {
             | Self::Emit(_)
             | Self::Mapping(_)
             | Self::Judge(_)
+            | Self::Bench(_)
             | Self::Defect(_) => 1,
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! One file a subcommand; everything that they do is in the libraries.
 
+mod bench;
 mod check;
 mod doctor;
 mod emit;
@@ -48,6 +49,8 @@ enum Command {
     Measure(measure::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
+    /// Measure the throughput of the interpreter, native code and drivers, side by side
+    Bench(bench::Args),
     /// Say which routes and tools this machine has, and how to get the others
     Doctor(doctor::Args),
 }
@@ -71,6 +74,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Figures(args) => figures::run(args),
+        Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),
     }
 }

@@ -48,11 +48,12 @@ pub fn isolate(
     let point = Some((ShaderStage::Compute, entry));
     let constants = overrides.iter().map(|o| (o.name.clone(), o.value)).collect();
     let resolved = guarded(source, "override evaluation", || {
-        process_overrides(module.module(), module.info(), point, &constants).map(|(m, _)| m.into_owned())
+        let resolved = process_overrides(module.module(), module.info(), point, &constants);
+        resolved.map(|(module, _)| module.into_owned()).map_err(|error| error.to_string())
     })?;
-    let resolved = resolved.map_err(|error| ForeignError::Override {
+    let resolved = resolved.map_err(|reason| ForeignError::Override {
         name: source.name.clone(),
-        reason: error.to_string(),
+        reason,
         overrides: names(module.module()),
     })?;
     validated(source, resolved)

@@ -6,6 +6,9 @@ use crate::validate::{self, ValidateError};
 use naga::ShaderStage;
 use naga::front::{glsl, spv, wgsl};
 
+/// Lines of a message that are shown: a front end may complain of each character.
+const LINES: usize = 60;
+
 /// Parses and validates `source`, with all that naga knows allowed.
 ///
 /// # Errors
@@ -20,26 +23,36 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
         Language::Wgsl => {
             let text = decoded(source)?;
             let parsed = guarded(source, "WGSL front end", || wgsl::parse_str(text))?;
-            parsed.map_err(|e| refused(e.emit_to_string_with_path(text, &source.name)))
+            parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
         }
         Language::Glsl => {
             let text = decoded(source)?;
             let options = glsl::Options::from(ShaderStage::Compute);
             let parsed =
                 guarded(source, "GLSL front end", || glsl::Frontend::default().parse(&options, text))?;
-            parsed.map_err(|e| refused(e.emit_to_string_with_path(text, &source.name)))
+            parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
         }
         Language::Spirv => {
             let options = spv::Options { adjust_coordinate_space: false, ..spv::Options::default() };
             let parsed =
                 guarded(source, "SPIR-V front end", || spv::parse_u8_slice(&source.bytes, &options))?;
-            parsed.map_err(|e| refused(format!("{}: {e}", source.name)))
+            parsed.map_err(|e| refused(source, &e.to_string()))
         }
     }
 }
 
-fn refused(message: String) -> ForeignError {
-    ForeignError::Parse { message: message.trim_end().to_owned() }
+fn refused(source: &Source, message: &str) -> ForeignError {
+    ForeignError::Parse { message: told(source, message) }
+}
+
+/// A message of naga, which may be long, and may lack the file's name.
+fn told(source: &Source, message: &str) -> String {
+    let lines: Vec<&str> = message.lines().filter(|l| !l.trim().is_empty()).collect();
+    let name = if message.contains(&source.name) { String::new() } else { format!("{}: ", source.name) };
+    let shown = &lines[..lines.len().min(LINES)];
+    let more = lines.len() - shown.len();
+    let more = if more > 0 { format!("\n.. and {more} lines more") } else { String::new() };
+    format!("{name}{}{more}", shown.join("\n"))
 }
 
 fn decoded(source: &Source) -> Result<&str, ForeignError> {
@@ -53,10 +66,10 @@ pub(super) fn validated(source: &Source, module: naga::Module) -> Result<ValidMo
     validate::foreign(module).map_err(|error| match error {
         ValidateError::Invalid(error) => {
             let message = match source.text() {
-                Some(text) => error.emit_to_string_with_path(text, &source.name).trim_end().to_owned(),
-                None => format!("{}: {}", source.name, ValidateError::Invalid(error)),
+                Some(text) => error.emit_to_string_with_path(text, &source.name),
+                None => ValidateError::Invalid(error).to_string(),
             };
-            ForeignError::Invalid { message }
+            ForeignError::Invalid { message: told(source, &message) }
         }
         ValidateError::Panicked { stage, message } => {
             ForeignError::Panicked { name: source.name.clone(), stage, message }

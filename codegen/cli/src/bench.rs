@@ -1,0 +1,161 @@
+//! `lobe bench`: throughput of every executor on the same kernels, as ratios.
+
+use crate::fail::{Fail, Outcome};
+use crate::output::{self, ListFormat};
+use lobe_backends::gpu::Gpu;
+use lobe_backends::interp::Isa;
+use lobe_backends::route::{Road, Route};
+use lobe_backends::routes::{Machine, OpenError, State};
+use lobe_tests::throughput::{self, Executor, MOST, Maker, Measurement, WORKLOADS};
+use std::process::Command;
+
+/// Options.
+#[derive(Debug, clap::Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Args {
+    /// Kernels to measure: hsg, lights, triad; all when none is named
+    #[arg(value_parser = WORKLOADS.map(|w| w.name))]
+    kernels: Vec<String>,
+    /// Form of the report; JSON is an object for each kernel and executor, a line each
+    #[arg(long, value_enum, default_value_t = ListFormat::Human)]
+    format: ListFormat,
+    /// Rounds, in each of which every executor runs once; one more before them is not counted
+    #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u16).range(1..))]
+    rounds: u16,
+    /// Invocations of each kernel; by default 4 million, of lights 131072
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=MOST as i64))]
+    items: Option<u32>,
+    /// Measure only these: native, interp, or a route as spirv@lavapipe
+    #[arg(long = "route", value_name = "ROUTE")]
+    routes: Vec<Route>,
+    /// Threads of the interpreter, of native code and of lavapipe; by default all
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// End with exit code 1 if the interpreter is below half of its goal against lavapipe anywhere
+    #[arg(long)]
+    floor: bool,
+}
+
+const HELP: &str = "\
+hsg is the integral of an SG, the clamped cosine and a hemisphere; lights sums 64 SG lights an invocation; \
+triad is a * 2 + b, bound by memory. Drivers run WGSL through wgpu's naga, with the bounds checks that the \
+interpreter has too; SPIR-V of a named route is checked likewise. Data stays where it is: neither upload nor \
+compilation is timed, and of the interpreter neither is left out.
+
+The ratio to another executor is how many times as fast this one is: the median over the rounds of the other's time \
+divided by this one's in the same round. The goals against wgsl+naga@lavapipe for hsg, lights and triad are \
+1.4, 3.2 and 8 with AVX-512, 1.0, 2.4 and 8 with AVX2.";
+
+/// The route that goals are stated against.
+const YARDSTICK: &str = "wgsl+naga@lavapipe";
+
+/// What the interpreter's threads and lavapipe's go by, each read once when they start.
+const THREADS: [&str; 2] = ["RAYON_NUM_THREADS", "LP_NUM_THREADS"];
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    if let Some(threads) = args.threads.filter(|n| !runs_with(*n)) {
+        return again(threads);
+    }
+    let mut executors = open(args)?;
+    let makers =
+        WORKLOADS.iter().filter(|w| args.kernels.is_empty() || args.kernels.iter().any(|k| k == w.name));
+    let mut outcome = Outcome::Holds;
+    for maker in makers {
+        let items = args.items.map_or(maker.items, |n| n as usize);
+        let workload = maker.make(items);
+        let measured = throughput::measure(&workload, &mut executors, args.rounds.into())?;
+        output::print(&render(&measured, args.format))?;
+        if args.floor && !holds(maker, &measured)? {
+            outcome = Outcome::FellShort;
+        }
+    }
+    Ok(outcome)
+}
+
+/// Whether this process was started with so many threads.
+fn runs_with(threads: u16) -> bool {
+    THREADS.iter().all(|name| std::env::var(name).is_ok_and(|value| value == threads.to_string()))
+}
+
+/// The same command in a process with so many threads: drivers ask the environment, and only once.
+fn again(threads: u16) -> Result<Outcome, Fail> {
+    let fail = |cause| Fail::Read { path: "lobe".into(), cause };
+    let mut command = Command::new(std::env::current_exe().map_err(fail)?);
+    command.args(std::env::args_os().skip(1));
+    command.envs(THREADS.map(|name| (name, threads.to_string())));
+    let code = command.status().map_err(fail)?.code();
+    Ok(Outcome::Code(code.and_then(|c| u8::try_from(c).ok()).unwrap_or(1)))
+}
+
+fn open(args: &Args) -> Result<Vec<Executor>, Fail> {
+    let machine = Machine::look();
+    let routes = if args.routes.is_empty() { usual(&machine) } else { args.routes.clone() };
+    let mut executors = Vec::new();
+    for route in &routes {
+        match route {
+            Route::Native => executors.push(Executor::Native),
+            Route::Interp => executors.extend(Isa::available().into_iter().rev().map(Executor::Interp)),
+            Route::Gpu { road, driver } => executors.push(driven(&machine, route, *road, driver)?),
+        }
+    }
+    Ok(executors)
+}
+
+/// Everything on the host, and each driver once.
+fn usual(machine: &Machine) -> Vec<Route> {
+    let drivers =
+        machine.drivers().iter().map(|d| Route::Gpu { road: Road::WgslNaga, driver: d.name.clone() });
+    [Route::Interp, Route::Native].into_iter().chain(drivers).collect()
+}
+
+fn driven(machine: &Machine, route: &Route, road: Road, name: &str) -> Result<Executor, Fail> {
+    if let State::Missing { what, mend } = machine.state(route) {
+        return Err(OpenError::Missing { route: route.clone(), what, mend }.into());
+    }
+    let driver = machine.drivers().iter().find(|d| d.name == name);
+    let Some(driver) = driver else { return Err(Fail::Usage(format!("{route} is not here"))) };
+    let opened = Gpu::open(driver).map_err(|cause| OpenError::Driver { route: route.clone(), cause })?;
+    Ok(Executor::Gpu { road, gpu: Box::new(opened) })
+}
+
+fn render(measured: &[Measurement], format: ListFormat) -> String {
+    match format {
+        ListFormat::Json => {
+            let line = |m| format!("{}\n", serde_json::to_string(m).unwrap_or_default());
+            measured.iter().map(line).collect()
+        }
+        ListFormat::Human => measured.iter().map(human).collect(),
+    }
+}
+
+fn human(measured: &Measurement) -> String {
+    let Measurement { kernel, items, seconds, rounds, threads, .. } = measured;
+    let rate = *items as f64 / seconds / 1e6;
+    let mut text = format!("{kernel:7} {:24} {:9.2} ms {rate:9.1} M/s", measured.name(), seconds * 1e3);
+    for (other, ratio) in &measured.ratio_to {
+        text += &format!("  {ratio:.2} x {other}");
+    }
+    text + &format!("  ({items} items, {rounds} rounds, {threads} threads)\n")
+}
+
+/// Whether each instruction set keeps half of its goal.
+fn holds(maker: &Maker, measured: &[Measurement]) -> Result<bool, Fail> {
+    let at = WORKLOADS.iter().position(|w| w.name == maker.name).unwrap_or(0);
+    let mut holds = true;
+    for isa in Isa::available() {
+        let Some(goal) = throughput::goals(isa).map(|goals| goals[at]) else { continue };
+        let interp = measured.iter().find(|m| m.isa == Some(isa.to_string()));
+        let ratio = interp.and_then(|m| m.ratio_to.get(YARDSTICK)).copied();
+        let ratio = ratio.ok_or_else(|| Fail::Usage(format!("--floor needs interp and {YARDSTICK}")))?;
+        if ratio < goal / 2.0 {
+            let floor = goal / 2.0;
+            output::print(&format!(
+                "{} on {isa}: {ratio:.2} x {YARDSTICK} is below the floor of {floor}\n",
+                maker.name
+            ))?;
+            holds = false;
+        }
+    }
+    Ok(holds)
+}

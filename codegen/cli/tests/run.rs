@@ -1,0 +1,256 @@
+//! `lobe run` as its users meet it, with shaders that mean well and shaders that do not.
+
+mod common;
+
+use common::{assert_fails, assert_holds, command, lobe, text};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+const OUT: &str = "@group(0) @binding(0) var<storage, read_write> out: array<u32>;\n";
+const MAIN: &str = "@compute @workgroup_size(1) fn main() {";
+
+/// A folder with these files.
+fn folder(files: &[(&str, &[u8])]) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, bytes) in files {
+        std::fs::write(folder.path().join(name), bytes).expect("writable");
+    }
+    folder
+}
+
+fn at(folder: &TempDir, name: &str) -> String {
+    folder.path().join(name).display().to_string()
+}
+
+/// The reports of a batch without GPU routes, and its summary.
+fn batch(folder: &Path, rest: &[&str]) -> (Vec<Value>, Value, Option<i32>) {
+    let list = folder.display().to_string();
+    let args = [&["run", "--batch", &list, "--format", "json", "--route", "interp"], rest].concat();
+    let output = lobe(&args);
+    let said = text(&output.stdout);
+    let mut lines: Vec<Value> = said.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    let summary = lines.pop().unwrap_or_else(|| panic!("no summary: {}", text(&output.stderr)));
+    (lines, summary["summary"].clone(), output.status.code())
+}
+
+/// Runs `bytes` as a file of this name, and wants `status` with a message that holds `part`.
+#[track_caller]
+fn assert_ends(name: &str, bytes: &[u8], status: &str, part: &str) {
+    let folder = folder(&[(name, bytes)]);
+    let (reports, _, _) = batch(folder.path(), &["--timeout", "60", "--fuel", "10000"]);
+    let report = reports.first().unwrap_or_else(|| panic!("{name}: no report"));
+    assert_eq!(report["status"], status, "{name}: {report}");
+    let message = report["message"].as_str().unwrap_or_default();
+    assert!(message.contains(part), "{name}: no `{part}` in: {message}");
+    let path: PathBuf = folder.path().join(name);
+    assert_eq!(report["file"], path.display().to_string(), "the file is named");
+}
+
+#[test]
+fn a_shader_runs_on_its_data_and_leaves_its_results() {
+    let wgsl = "
+        struct Item { flag: i32, color: vec3<f32> }
+        @group(0) @binding(0) var<storage, read_write> items: array<Item>;
+        @group(0) @binding(1) var<uniform> scale: vec2<f32>;
+        override more: i32 = 1;
+        @compute @workgroup_size(2) fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+            items[id.x].color.y = items[id.x].color.x * scale.x + scale.y;
+            items[id.x].flag += more;
+        }";
+    let items = r#"[{"flag": 1, "color": ["0x1.8p1", 0, "inf"]}, {"flag": -9, "color": [-1, 0, 0.5]}]"#;
+    let scale: Vec<u8> = [2.0_f32, 0.5].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let folder =
+        folder(&[("a.wgsl", wgsl.as_bytes()), ("items.json", items.as_bytes()), ("scale.bin", &scale)]);
+    let (input, scale) =
+        (format!("items={}", at(&folder, "items.json")), format!("0:1={}", at(&folder, "scale.bin")));
+    let outputs = ["json", "bin"].map(|e| format!("items={}", at(&folder, &format!("out.{e}"))));
+    let shader = at(&folder, "a.wgsl");
+    let args =
+        ["run", &shader, "--input", &input, "--input", &scale, "--override", "more=10", "--route", "interp"];
+    let said =
+        assert_holds(&lobe(&[&args[..], &["--output", &outputs[0], "--output", &outputs[1]]].concat()));
+    assert!(said.contains("items (0:0) 64 bytes") && said.ends_with("ok\n"), "{said}");
+    let json = std::fs::read_to_string(folder.path().join("out.json")).expect("readable");
+    let expected = r#"[{"flag":11,"color":[3.0,6.5,"inf"]},{"flag":1,"color":[-1.0,-1.5,0.5]}]"#;
+    assert_eq!(json.trim(), expected);
+    let bytes = std::fs::read(folder.path().join("out.bin")).expect("readable");
+    assert_eq!((bytes.len(), &bytes[20..24]), (64, &6.5_f32.to_le_bytes()[..]));
+}
+
+#[test]
+fn what_does_not_fit_the_shader_is_named() {
+    let wgsl = format!("{OUT}{MAIN} out[0] = 1u; }} {} out[1] = 1u; }}", MAIN.replace("main", "other"));
+    let folder = folder(&[("two.wgsl", wgsl.as_bytes()), ("odd.bin", &[1, 2, 3]), ("bad.json", b"[1, -1]")]);
+    let shader = at(&folder, "two.wgsl");
+    let (odd, bad) = (format!("out={}", at(&folder, "odd.bin")), format!("out={}", at(&folder, "bad.json")));
+    let run = |rest: &[&str]| lobe(&[&["run", &shader, "--route", "interp"], rest].concat());
+    let told = |rest: &[&str], part: &str| {
+        let output = run(rest);
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(part), "no `{part}` in: {said}");
+    };
+    assert_eq!(run(&["--entry", "other"]).status.code(), Some(0));
+    told(&[], "several compute entry points: `main`, `other`; choose one with --entry");
+    told(&["--entry", "third"], "no compute entry point `third`; there is `main`, `other`");
+    told(&["--entry", "main", "--input", "in=zeros"], "no buffer `in`; it uses `out` (0:0)");
+    told(&["--entry", "main", "--input", &odd], "a multiple of 4; it has 3");
+    told(&["--entry", "main", "--input", &bad], "`out[1]` is a non-negative integer of 32 bits, not -1");
+    told(&["--entry", "main", "--input", "out=no-such-file"], "no-such-file: cannot be read");
+    told(&["--entry", "main", "--size", "out=2147483648"], "more than the 1073741824 that a buffer may have");
+    told(&["--entry", "main", "--override", "n=1"], "'n'");
+}
+
+#[test]
+fn options_that_are_none_are_bad_usage() {
+    for (args, part) in [
+        (&["run"][..], "name a shader, or a list of shaders with --batch"),
+        (&["run", "a.wgsl", "--workgroups", "0,1,1"], "at least 1"),
+        (&["run", "a.wgsl", "--workgroups", "1,1,1,1"], "one to three numbers"),
+        (&["run", "a.wgsl", "--input", "out"], "no `=`"),
+        (&["run", "a.wgsl", "--input", "out=random:x"], "`x` is no seed"),
+        (&["run", "a.wgsl", "--route", "metal@x"], "`metal` is no target"),
+        (&["run", "--batch", "no-such-list"], "no-such-list: cannot be read"),
+    ] {
+        assert_fails(&lobe(args), 2, &[part]);
+    }
+    assert_fails(&lobe(&["run", "a.wgsl", "--route", "spirv@nix"]), 3, &["no Vulkan driver `nix`"]);
+    assert_eq!(lobe(&["run", "no-such.wgsl"]).status.code(), Some(2));
+    assert_eq!(lobe(&["run", "no-shader.txt"]).status.code(), Some(2));
+}
+
+#[test]
+fn errors_of_the_front_end_show_file_line_and_column() {
+    let folder = folder(&[("bad.wgsl", b"fn f() -> u32 {\n    return 1.5;\n}")]);
+    let output = lobe(&["run", &at(&folder, "bad.wgsl")]);
+    let said = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("bad.wgsl:2:12") && said.contains("^^^"), "{said}");
+}
+
+#[test]
+fn hostile_files_end_in_a_word_about_them() {
+    let wgsl = |body: &str| format!("{OUT}{MAIN}{body}}}").into_bytes();
+    let glsl = |body: &str| {
+        let head = "#version 450\nlayout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer B { uint data[]; };\n";
+        format!("{head}void main() {{ {body} }}").into_bytes()
+    };
+    let deep = |open: &str, inner: &str, close: &str| open.repeat(20_000) + inner + &close.repeat(20_000);
+    let random: Vec<u8> = (0_u32..4096).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    let magic = |rest: &[u32]| {
+        [&[0x0723_0203, 0x0001_0300], rest].concat().iter().flat_map(|w| w.to_le_bytes()).collect()
+    };
+    let truncated: Vec<u8> = magic(&[0, 8, 0, (5 << 16) | 15, 5]);
+    for (name, bytes, status, part) in [
+        ("empty.wgsl", Vec::new(), "refused", "no compute entry point"),
+        ("empty.spv", Vec::new(), "invalid", "empty.spv"),
+        ("empty.glsl", Vec::new(), "invalid", "entry point"),
+        ("random.spv", random, "invalid", "random.spv"),
+        ("truncated.spv", truncated, "invalid", "truncated.spv"),
+        ("odd.spv", vec![3, 2, 0x23], "invalid", "odd.spv"),
+        ("nul.wgsl", vec![0; 100], "invalid", "nul.wgsl:1:1"),
+        ("nul.glsl", vec![0; 100], "invalid", "nul.glsl: error: UnexpectedCharacter"),
+        ("latin.wgsl", vec![b'/', b'/', 0xe9], "invalid", "byte 2 is not UTF-8"),
+        ("braces.wgsl", wgsl(&deep("{", "", "}")), "invalid", "nesting limit"),
+        ("parens.wgsl", wgsl(&format!("out[0] = {};", deep("(", "1u", ")"))), "invalid", "error"),
+        ("parens.glsl", glsl(&format!("data[0] = {};", deep("(", "1u", ")"))), "ok", ""),
+        ("minus.glsl", glsl(&format!("data[0] = uint({}1);", "- ".repeat(20_000))), "ok", ""),
+        ("array.wgsl", b"var<private> a: array<u32, 4000000000>;".to_vec(), "invalid", "array.wgsl"),
+        ("divided.wgsl", wgsl("let x = 1 / 0;"), "invalid", "ivision by zero"),
+        ("endless.wgsl", wgsl("loop {}"), "timeout", "runs too long"),
+        ("fragment.wgsl", b"@fragment fn f() {}".to_vec(), "refused", "only `f`"),
+        ("size.wgsl", b"@compute @workgroup_size(0) fn main() {}".to_vec(), "invalid", "size.wgsl"),
+        (
+            "override.wgsl",
+            format!("override n: u32; {OUT}{MAIN} out[0] = n; }}").into_bytes(),
+            "error",
+            "are `n`",
+        ),
+        (
+            "itself.wgsl",
+            b"fn f() { f(); } @compute @workgroup_size(1) fn main() { f(); }".to_vec(),
+            "invalid",
+            "",
+        ),
+    ] {
+        assert_ends(name, &bytes, status, part);
+    }
+}
+
+#[test]
+fn a_batch_has_a_line_each_in_order_and_a_summary() {
+    let good = format!("{OUT}{MAIN} out[0] = 1u; }} {} out[1] = 1u; }}", MAIN.replace("main", "other"));
+    let folder = folder(&[
+        ("a good one.wgsl", good.as_bytes()),
+        ("b.wgsl", b"fn"),
+        ("c.wgsl", b"fn f() {}"),
+        ("not-a-shader.txt", b""),
+    ]);
+    let (reports, summary, code) = batch(folder.path(), &["--jobs", "3"]);
+    let statuses: Vec<_> = reports.iter().map(|r| r["status"].as_str().unwrap_or_default()).collect();
+    assert_eq!(statuses, ["ok", "ok", "invalid", "refused"]);
+    assert_eq!((&reports[0]["entry"], &reports[1]["entry"]), (&"main".into(), &"other".into()));
+    assert_eq!((&summary["runs"], &summary["counts"]["ok"], code), (&4.into(), &2.into(), Some(1)));
+    let list = folder.path().join("list");
+    let lines = format!("# one\n\n'{}' --entry other --input out=zeros\n", at(&folder, "a good one.wgsl"));
+    std::fs::write(&list, lines).expect("writable");
+    let (reports, _, code) = batch(&list, &["--size", "out=64"]);
+    assert_eq!((reports.len(), code), (1, Some(0)));
+    assert_eq!((&reports[0]["entry"], &reports[0]["inputs"][0]["bytes"]), (&"other".into(), &64.into()));
+    std::fs::write(&list, "a.wgsl --no-such-option\n").expect("writable");
+    let output = lobe(&["run", "--batch", &list.display().to_string()]);
+    assert_fails(&output, 2, &["list:1:", "--no-such-option"]);
+}
+
+#[test]
+fn a_worker_that_does_not_answer_in_time_costs_a_line() {
+    // Each invocation keeps within the fuel, all of them do not keep within the time.
+    let wgsl = "
+        @group(0) @binding(0) var<storage, read_write> out: array<atomic<u32>>;
+        @compute @workgroup_size(1) fn main() {
+            for (var i = 0u; i < 4000000u; i++) { atomicAdd(&out[i % 7u], i); }
+        }";
+    let slow = format!("{OUT}{MAIN} out[0] = 1u; }}");
+    let folder = folder(&[("a.wgsl", wgsl.as_bytes()), ("b.wgsl", slow.as_bytes())]);
+    let (reports, _, code) = batch(folder.path(), &["--timeout", "1", "--workgroups", "65535,65535"]);
+    assert_eq!(reports[0]["status"], "timeout", "{}", reports[0]);
+    assert_eq!(reports[0]["message"], "interp: not done after 1 s");
+    assert_eq!(code, Some(1));
+}
+
+#[test]
+fn a_process_that_is_no_worker_is_told_apart() {
+    let mut serve = command(&["run", "--serve"]);
+    let output = serve.output().expect("the binary runs");
+    assert!(text(&output.stdout).contains("@lobe \"ready\""));
+    assert_eq!(output.status.code(), Some(0), "it ends with its input");
+}
+
+#[test]
+fn routes_agree_on_integers_and_say_what_is_not_judged() {
+    if !lobe_backends::gpu::drivers().iter().any(|d| d.name == "lavapipe") {
+        assert!(std::env::var_os("LOBE_REQUIRE_TOOLS").is_none(), "lavapipe is missing");
+        eprintln!("SKIPPED: no lavapipe here");
+        return;
+    }
+    let wgsl = format!("{OUT}{MAIN} out[0] = out[1] * 7u; out[2] ^= out[3]; }}");
+    let spirv = {
+        let module = lobe_codegen::validate::foreign_wgsl(&wgsl).expect("valid");
+        lobe_codegen::emit::plain(&module, lobe_codegen::emit::Target::Spirv, "main")
+            .expect("SPIR-V")
+            .content
+            .bytes()
+    };
+    let folder = folder(&[("a.wgsl", wgsl.as_bytes()), ("b.spv", &spirv)]);
+    let run = |name: &str, rest: &[&str]| {
+        let shader = at(&folder, name);
+        let output = lobe(&[&["run", &shader, "--format", "json"], rest].concat());
+        let report: Value = serde_json::from_str(&assert_holds(&output)).expect("JSON");
+        report["routes"].as_array().expect("routes").clone()
+    };
+    let routes = run("a.wgsl", &["--route", "spirv@lavapipe", "--route", "wgsl+naga@lavapipe"]);
+    assert!(routes.iter().all(|r| r["status"] == "equal") && routes.len() == 2, "{routes:?}");
+    let routes = run("b.spv", &["--route", "original@lavapipe", "--route", "wgsl+naga@lavapipe"]);
+    assert!(routes.iter().all(|r| r["status"] == "equal") && routes.len() == 2, "{routes:?}");
+}
