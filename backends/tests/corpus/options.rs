@@ -46,10 +46,18 @@ impl Sketch {
     }
 }
 
+/// What begins a line with options.
+const MARK: &str = "// lobe: ";
+
+/// Whether a text has options.
+pub(crate) fn are_in(text: &str) -> bool {
+    text.lines().any(|line| line.starts_with(MARK))
+}
+
 impl Options {
     /// The options in a text.
     pub(crate) fn of(text: &str) -> Result<Self, String> {
-        let lines = text.lines().filter_map(|line| line.strip_prefix("// lobe: "));
+        let lines = text.lines().filter_map(|line| line.strip_prefix(MARK));
         let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
         let mut options = Self {
             groups: [1; 3],
