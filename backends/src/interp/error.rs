@@ -106,6 +106,9 @@ pub enum InterpError {
         /// The function that contains it.
         function: String,
     },
+    /// Overrides without a value, or with one that does not fit.
+    #[error("{0}")]
+    Override(String),
     /// The module breaks a rule that validation should have caught.
     #[error("malformed module: {0}")]
     Malformed(&'static str),

@@ -29,6 +29,7 @@ mod judge;
 mod lower;
 mod mask;
 mod model;
+mod overrides;
 mod passes;
 mod perturbed;
 mod program;
@@ -63,6 +64,7 @@ pub struct Interpreter<'m> {
     fuel: u64,
     isa: Isa,
     subgroup: u32,
+    overrides: Vec<lobe_codegen::foreign::Override>,
 }
 
 /// Results of the shadow lane.
@@ -138,7 +140,7 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// None yet: what is not supported is reported when it is met.
     pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
-        Ok(Self { module, fuel: FUEL, isa: Isa::best(), subgroup: SUBGROUP })
+        Ok(Self { module, fuel: FUEL, isa: Isa::best(), subgroup: SUBGROUP, overrides: Vec::new() })
     }
 
     /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
@@ -275,8 +277,9 @@ impl<'m> Interpreter<'m> {
         groups: [u32; 3],
         resources: impl Into<Resources<'a>>,
     ) -> Result<(), InterpError> {
-        let size = self.workgroup_size(entry)?;
-        let program = lower::entry(self.module, entry, Reader::Lanes)?;
+        let (module, entry) = self.resolved(entry)?;
+        let size = module.module().entry_points[entry].workgroup_size;
+        let program = lower::entry(&module, entry, Reader::Lanes)?;
         let packed = !program.cooperative;
         let code = fast::Code::new(program, packed, self.isa)?;
         let (fuel, subgroup) = (self.fuel, self.subgroup);
@@ -304,20 +307,11 @@ impl<'m> Interpreter<'m> {
         groups: [u32; 3],
         run: impl FnOnce(&judge::dispatch::Dispatch<'_>) -> Result<T, InterpError>,
     ) -> Result<T, InterpError> {
-        let size = self.workgroup_size(entry)?;
-        let code = judge::Code::new(lower::entry(self.module, entry, Reader::Judge)?);
+        let (module, entry) = self.resolved(entry)?;
+        let size = module.module().entry_points[entry].workgroup_size;
+        let code = judge::Code::new(lower::entry(&module, entry, Reader::Judge)?);
         let (fuel, subgroup) = (self.fuel, self.subgroup);
         run(&judge::dispatch::Dispatch { code: &code, size, groups, fuel, subgroup })
-    }
-
-    /// Invocations of a workgroup along each axis.
-    fn workgroup_size(&self, entry: usize) -> Result<[u32; 3], InterpError> {
-        let point = self.module.module().entry_points.get(entry).ok_or(InterpError::NoEntryPoint(entry))?;
-        if point.stage != naga::ShaderStage::Compute || point.workgroup_size_overrides.is_some() {
-            let what = "an entry point that is no compute shader of fixed workgroup size".to_owned();
-            return Err(InterpError::Unsupported { what, function: point.name.clone() });
-        }
-        Ok(point.workgroup_size)
     }
 
     /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;

@@ -29,7 +29,7 @@ pub(in super::super) fn rounded(bits: u64, from: Scalar) -> f32 {
     number(bits, from) as f32
 }
 
-/// A float as an integer: towards zero, the nearest there is, NaN as zero.
+/// A float as an integer: towards zero, at most the largest f32 that the type holds, NaN as zero.
 pub(in super::super) fn truncated(x: f32, to: Scalar) -> u64 {
     truncated_exact(x.into(), to)
 }
@@ -37,7 +37,10 @@ pub(in super::super) fn truncated(x: f32, to: Scalar) -> u64 {
 /// The same of an exact number.
 pub(in super::super) fn truncated_exact(x: f64, to: Scalar) -> u64 {
     let (low, high) = limits(to);
-    wrap(to, (x as i128).clamp(low, high))
+    // WGSL and the drivers stop at an f32; what lies between it and the largest integer is out of reach.
+    let bits = i128::BITS - high.leading_zeros();
+    let beyond = (1_i128 << bits.saturating_sub(f32::MANTISSA_DIGITS)) - 1;
+    wrap(to, (x as i128).clamp(low, high - beyond))
 }
 
 fn limits(scalar: Scalar) -> (i128, i128) {

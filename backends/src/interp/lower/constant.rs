@@ -3,7 +3,7 @@
 use super::super::error::{InterpError, Res};
 use super::super::program::{Scalar, Value};
 use super::frame::{Frame, Item};
-use super::layout::Shape;
+use super::layout::{Packing, Shape};
 use super::{Lowerer, malformed};
 use lobe_codegen::module::Scope;
 use naga::{AddressSpace, Expression, Handle, Literal};
@@ -116,10 +116,21 @@ impl<'m> Lowerer<'m> {
                 let value = self.global(*value)?;
                 Ok(std::iter::repeat_n(value, *size as usize).flatten().collect())
             }
+            Expression::AccessIndex { base, index } => {
+                let shape = self.types().shape(&self.module.info()[*base])?;
+                let (part, at) = self.types().member(shape, *index, Packing::Packed(1))?;
+                let count = self.types().count(part)?;
+                let values = self.global(*base)?;
+                let part = values.get(at as usize..(at + count) as usize);
+                Ok(part.ok_or(malformed("an index leads out of a constant"))?.to_vec())
+            }
+            Expression::Swizzle { size, vector, pattern } => {
+                let values = self.global(*vector)?;
+                let taken = pattern.iter().take(*size as usize).filter_map(|c| values.get(*c as usize));
+                Ok(taken.copied().collect())
+            }
             other @ (Expression::Override(_)
             | Expression::Access { .. }
-            | Expression::AccessIndex { .. }
-            | Expression::Swizzle { .. }
             | Expression::FunctionArgument(_)
             | Expression::GlobalVariable(_)
             | Expression::LocalVariable(_)

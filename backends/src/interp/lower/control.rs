@@ -8,12 +8,11 @@
 //! the variable is what is kept.
 
 use super::super::error::Res;
-use super::super::program::op::{Comparison, LogicOp};
 use super::super::program::{Args, Block as Code, Eval, Label, Op, Reg, Scalar, Stmt, Value};
 use super::Lowerer;
 use super::frame::{Frame, Returning, Root};
 use super::scan::{self, Variable};
-use naga::{Block, Expression, Handle, Statement, SwitchCase, SwitchValue};
+use naga::{Block, Expression, Handle, Statement};
 use std::collections::BTreeSet;
 
 /// Whether lanes reach the end of a block.
@@ -43,8 +42,8 @@ pub(crate) struct Exit {
 /// Statements that follow.
 #[derive(Clone, Copy)]
 pub(crate) struct Then<'a, 'm> {
-    statements: &'m [Statement],
-    next: Option<&'a Then<'a, 'm>>,
+    pub(super) statements: &'m [Statement],
+    pub(super) next: Option<&'a Then<'a, 'm>>,
 }
 
 impl<'m> Lowerer<'m> {
@@ -109,7 +108,7 @@ impl<'m> Lowerer<'m> {
     }
 
     /// Both ways of a decision, and their meeting.
-    fn fork(
+    pub(super) fn fork(
         &mut self,
         condition: Value,
         frame: &mut Frame<'m>,
@@ -292,89 +291,6 @@ impl<'m> Lowerer<'m> {
         self.b.touch();
         self.b.push(Stmt::Loop { label, body: code, function, at });
         Ok(Flow::Falls)
-    }
-
-    /// `switch`: cases without a body share that of the next one.
-    pub(crate) fn switch(
-        &mut self,
-        frame: &mut Frame<'m>,
-        selector: Handle<Expression>,
-        cases: &'m [SwitchCase],
-    ) -> Res<Flow> {
-        if cases.iter().any(|c| c.fall_through && !c.body.is_empty()) {
-            return Err(frame.unsupported("a case that falls through after statements"));
-        }
-        let selector = frame.single(selector)?;
-        let arms = self.arms(selector, cases);
-        if !cases.iter().any(|c| scan::breaks(&c.body)) {
-            return self.choose(frame, &arms);
-        }
-        let mut written = BTreeSet::new();
-        cases.iter().for_each(|c| written.extend(self.scan.written(frame.function, &c.body)));
-        let scalars = self.scalars_of(frame, &written)?;
-        let kept = self.keep(scalars);
-        let (label, body) =
-            self.within(Purpose::Break, kept, frame, |this, frame, _| this.choose(frame, &arms))?;
-        self.b.push(Stmt::Scope { label, body });
-        Ok(Flow::Falls)
-    }
-
-    /// The bodies and when they are chosen; the default, which has no condition, comes last.
-    fn arms(&mut self, selector: Value, cases: &'m [SwitchCase]) -> Vec<(Option<Value>, &'m Block)> {
-        let (mut arms, mut otherwise) = (Vec::new(), None);
-        let mut start = 0;
-        for (at, case) in cases.iter().enumerate() {
-            if case.fall_through {
-                continue;
-            }
-            let group = &cases[start..=at];
-            start = at + 1;
-            if group.iter().any(|c| c.value == SwitchValue::Default) {
-                otherwise = Some((None, &case.body));
-                continue;
-            }
-            let mut condition = None;
-            for case in group {
-                let same = self.is(selector, case.value);
-                condition = Some(match condition {
-                    Some(before) => self.b.eval(Op::Logic(LogicOp::Or), &[before, same]),
-                    None => same,
-                });
-            }
-            arms.push((condition, &case.body));
-        }
-        arms.extend(otherwise);
-        arms
-    }
-
-    fn is(&mut self, selector: Value, value: SwitchValue) -> Value {
-        let word = match value {
-            SwitchValue::I32(v) => v as u32,
-            SwitchValue::U32(v) => v,
-            SwitchValue::Default => 0,
-        };
-        let scalar = self.b.scalar(selector);
-        let word = self.b.bits(scalar, word.into(), word.into());
-        self.b.eval(Op::Compare(scalar, Comparison::Equal), &[selector, word])
-    }
-
-    /// The first arm whose condition holds.
-    fn choose(&mut self, frame: &mut Frame<'m>, arms: &[(Option<Value>, &'m Block)]) -> Res<Flow> {
-        match arms {
-            [] => Ok(Flow::Falls),
-            [(None, body), ..] => self.sequence(frame, body, None),
-            [(Some(condition), body), rest @ ..] => self.fork(
-                *condition,
-                frame,
-                |this, frame| this.arm(frame, body, None),
-                |this, frame| {
-                    this.b.begin();
-                    let flow = this.choose(frame, rest);
-                    let code = this.b.end();
-                    Ok((code, flow?))
-                },
-            ),
-        }
     }
 
     /// `return`

@@ -5,7 +5,7 @@
 
 use super::super::error::{InterpError, Res};
 use super::super::program::Scalar;
-use naga::{ArraySize, Handle, ScalarKind, Type, TypeInner, UniqueArena, VectorSize};
+use naga::{ArraySize, Handle, ScalarKind, Type, TypeInner, VectorSize};
 
 /// How scalars are placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,7 +38,7 @@ pub(crate) struct Parts {
 
 /// The module's types.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Types<'m>(pub(crate) &'m UniqueArena<Type>);
+pub(crate) struct Types<'m>(pub(crate) &'m naga::Module);
 
 /// The scalar of a naga type, if programs have it.
 pub(crate) fn scalar(scalar: naga::Scalar) -> Res<Scalar> {
@@ -91,7 +91,7 @@ fn column_stride(rows: VectorSize, scalar: naga::Scalar) -> u32 {
 
 impl<'m> Types<'m> {
     pub(crate) fn inner(self, ty: Handle<Type>) -> &'m TypeInner {
-        &self.0[ty].inner
+        &self.0.types[ty].inner
     }
 
     /// The shape of a type without a handle, or of one with.
@@ -208,9 +208,8 @@ impl<'m> Types<'m> {
                         Packing::Packed(unit) => unit * self.count(Shape::Type(base))?,
                     },
                     count: match size {
-                        ArraySize::Constant(n) => Some(n.get()),
                         ArraySize::Dynamic => None,
-                        ArraySize::Pending(_) => return Err(unsupported("arrays sized by overrides")),
+                        ArraySize::Constant(_) | ArraySize::Pending(_) => Some(self.length(size)?),
                     },
                 }),
                 ref inner @ (TypeInner::Scalar(_)
@@ -227,6 +226,16 @@ impl<'m> Types<'m> {
                 | TypeInner::RayQuery { .. }
                 | TypeInner::BindingArray { .. }) => Err(refuse(inner)),
             },
+        }
+    }
+
+    /// Elements of an array whose type says it, be it by an override, which has its value by now.
+    fn length(self, size: ArraySize) -> Res<u32> {
+        match size.resolve(self.0.to_ctx()) {
+            Ok(naga::proc::IndexableLength::Known(n)) => Ok(n),
+            Ok(naga::proc::IndexableLength::Dynamic) | Err(_) => {
+                Err(unsupported("arrays sized by overrides without a value"))
+            }
         }
     }
 

@@ -6,7 +6,7 @@
 //! - `build` is the pen: it numbers registers and does not write an operation twice.
 //! - `scan` tells beforehand which variables are indexed and what loops write.
 //! - `frame` is a function being walked: values of its expressions, its variables.
-//! - `control` turns statements to structured control flow; `call` enters functions.
+//! - `control` and `switch` turn statements to structured control flow; `call` enters functions.
 //! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
 //! - `mark` tells judges what they want to know beside the operations.
 //! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
@@ -38,6 +38,7 @@ mod relational;
 mod scan;
 mod statement;
 mod subgroup;
+mod switch;
 mod texture;
 
 use layout::Types;
@@ -123,7 +124,7 @@ impl<'m> Lowerer<'m> {
     }
 
     fn types(&self) -> Types<'m> {
-        Types(&self.module.module().types)
+        Types(self.module.module())
     }
 
     /// Zero of these kinds.

@@ -121,6 +121,22 @@ pub(crate) fn convert<A: Number, B: Number>(held: A::Held) -> B::Held {
     }
 }
 
+/// From f32, truncated, at most the largest f32 that fits.
+///
+/// WGSL and the drivers stop there; Rust's `as` goes on to the largest integer, for numbers from 2^31 on.
+#[inline(always)]
+pub(crate) fn to_i32(x: f32) -> i32 {
+    const MOST: f32 = 2_147_483_520.0;
+    (if x > MOST { MOST } else { x }) as i32
+}
+
+/// The same, unsigned.
+#[inline(always)]
+pub(crate) fn to_u32(x: f32) -> u32 {
+    const MOST: f32 = 4_294_967_040.0;
+    (if x > MOST { MOST } else { x }) as u32
+}
+
 /// The same bits as another type of the same size; `None` if the sizes differ.
 pub(crate) fn bitcast(from: Scalar, to: Scalar, bits: u64) -> Option<u64> {
     if from.bytes() != to.bytes() {

@@ -8,14 +8,13 @@ use super::super::machine::{Lane, Machine};
 use super::super::shape::{Ask, Body, Exec, Fn1, Found, Same, Source, exec, one, one_plain, target};
 use super::super::{Inst, Isa};
 use super::{functions, mask};
-use lobe_codegen::math::scalar;
 use std::marker::PhantomData;
 
 functions! {
     Copy(a: u32) -> u32 = a;
     CopyWide(a: u64) -> u64 = a;
-    FloatToI32(a: f32) -> i32 = scalar::to_i32(a);
-    FloatToU32(a: f32) -> u32 = scalar::to_u32(a);
+    FloatToI32(a: f32) -> i32 = numbers::to_i32(a);
+    FloatToU32(a: f32) -> u32 = numbers::to_u32(a);
     I32ToFloat(a: i32) -> f32 = a as f32;
     U32ToFloat(a: u32) -> f32 = a as f32;
     BoolToFloat(a: u32) -> f32 = f32::from_bits(a & 1.0_f32.to_bits());
