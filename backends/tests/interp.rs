@@ -15,6 +15,8 @@ mod dispatch;
 mod integers;
 #[path = "interp/memory.rs"]
 mod memory;
+#[path = "interp/overrides.rs"]
+mod overrides;
 #[path = "interp/shadow.rs"]
 mod shadow;
 #[path = "interp/soundness.rs"]

@@ -1,7 +1,8 @@
 //! Control flow: every lane goes its own way.
 
 use crate::support::{call, columns, module, word};
-use lobe_backends::interp::{InterpError, Interpreter};
+use lobe_backends::interp::{Buffer, InterpError, Interpreter};
+use lobe_codegen::foreign::{self, Language, Source};
 
 fn rows(text: &str, native: impl Fn(u32) -> u32) {
     let args: Vec<u32> = (0..700).collect();
@@ -207,4 +208,31 @@ fn variables_of_a_loop_change_places() {
         );
         call(&text, &columns(&[rows.clone(), numbers.clone()]));
     }
+}
+
+#[test]
+fn cases_without_a_break_run_into_the_next() {
+    let glsl = "#version 450
+        layout(local_size_x = 8) in;
+        layout(set = 0, binding = 0) buffer Out { int v[]; };
+        void main() {
+            int r = 1;
+            switch (int(gl_LocalInvocationIndex)) {
+                case 0: r += 10;
+                case 1: r *= 3;
+                case 2: if (r > 20) { r -= 7; break; } r += 100; break;
+                case 5:
+                case 6: r = 55;
+                default: r -= 1;
+                case 3: r *= 2;
+            }
+            v[gl_LocalInvocationIndex] = r;
+        }";
+    let source = Source { name: "cases.comp".to_owned(), language: Language::Glsl, bytes: glsl.into() };
+    let module = foreign::read(&source).unwrap();
+    let mut buffers = [Buffer { group: 0, binding: 0, data: vec![0; 32] }];
+    Interpreter::new(&module).unwrap().run(0, [1, 1, 1], buffers.as_mut_slice()).unwrap();
+    let got: Vec<i32> = buffers[0].data.as_chunks().0.iter().map(|c| i32::from_le_bytes(*c)).collect();
+    // (1 + 10) * 3 - 7, 1 * 3 + 100, 1 + 100, 1 * 2, (1 - 1) * 2, (55 - 1) * 2 twice, (1 - 1) * 2
+    assert_eq!(got, [26, 103, 101, 2, 0, 108, 108, 0]);
 }

@@ -9,6 +9,11 @@ pub(crate) fn module(text: &str) -> ValidModule {
     validate::from_wgsl(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
+/// A module from WGSL that may use whatever naga knows.
+pub(crate) fn foreign(text: &str) -> ValidModule {
+    validate::foreign_wgsl(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
 /// One column for each list of words.
 pub(crate) fn columns(columns: &[Vec<u32>]) -> Columns {
     Columns { rows: columns.first().map_or(0, Vec::len), columns: columns.to_vec() }

@@ -79,10 +79,16 @@ impl<'m> Lowerer<'m> {
         [self.sub(x, whole), whole]
     }
 
-    /// A number in `[0.5, 1)`, with the sign, and the power of two that it was divided by.
+    /// A number in `[0.5, 1)`, with the sign, and the power of two that it was divided by, as an integer as wide.
     fn frexp(&mut self, x: Value) -> [Value; 2] {
         let scalar = self.b.scalar(x);
-        [self.b.float_op(FloatOp::Significand, &[x]), self.b.eval(Op::Exponent(scalar), &[x])]
+        let exponent = self.b.eval(Op::Exponent(scalar), &[x]);
+        let whole = match scalar.bytes() {
+            2 => Scalar::I16,
+            8 => Scalar::I64,
+            _ => Scalar::I32,
+        };
+        [self.b.float_op(FloatOp::Significand, &[x]), self.converted(exponent, whole)]
     }
 
     fn ldexp(&mut self, x: Value, by: Value) -> Value {
