@@ -36,6 +36,7 @@ mod program;
 mod resources;
 mod scalar;
 mod shadow;
+mod signature;
 mod strict;
 mod subgroup;
 mod texture;
@@ -48,6 +49,7 @@ pub use resources::{BoundSampler, BoundTexture, Resources};
 
 use lobe_codegen::ValidModule;
 use lobe_codegen::data::Columns;
+use lobe_codegen::module::Scope;
 use lower::Reader;
 use naga::{Function, Handle};
 
@@ -57,7 +59,7 @@ const FUEL: u64 = 1 << 24;
 /// Invocations of a subgroup, unless [`Interpreter::with_subgroup_size`] says otherwise: what most GPUs have.
 const SUBGROUP: u32 = 32;
 
-/// Executes the functions and entry points of a module.
+/// Executes the functions and entry points of a module; each is lowered and linked when it first runs.
 #[derive(Debug, Clone)]
 pub struct Interpreter<'m> {
     module: &'m ValidModule,
@@ -65,6 +67,7 @@ pub struct Interpreter<'m> {
     isa: Isa,
     subgroup: u32,
     overrides: Vec<lobe_codegen::foreign::Override>,
+    cache: fast::cache::Cache,
 }
 
 /// Results of the shadow lane.
@@ -140,7 +143,14 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// None yet: what is not supported is reported when it is met.
     pub fn new(module: &'m ValidModule) -> Result<Self, InterpError> {
-        Ok(Self { module, fuel: FUEL, isa: Isa::best(), subgroup: SUBGROUP, overrides: Vec::new() })
+        Ok(Self {
+            module,
+            fuel: FUEL,
+            isa: Isa::best(),
+            subgroup: SUBGROUP,
+            overrides: Vec::new(),
+            cache: fast::cache::Cache::default(),
+        })
     }
 
     /// The same, but a batch of rows, or a workgroup, runs at most `rounds` rounds of loops.
@@ -171,8 +181,10 @@ impl<'m> Interpreter<'m> {
     /// When the columns do not fit the parameters, the function does something that the interpreter does not
     /// execute, or a loop does not end.
     pub fn call(&self, f: Handle<Function>, args: &Columns) -> Result<Columns, InterpError> {
-        let program = self.lowered(f, args, None, Reader::Lanes)?;
-        fast::rows::call(&fast::Code::new(program, false, self.isa)?, args, self.fuel)
+        let lower = || lower::function(self.module, f, Reader::Lanes);
+        let code = self.cache.get(Scope::Function(f), self.isa, lower)?;
+        self.fitting(&code.program, f, args, None)?;
+        fast::rows::call(&code, args, self.fuel)
     }
 
     /// What [`Interpreter::call`] returns, by the judge of the machine that is fast.
@@ -243,26 +255,6 @@ impl<'m> Interpreter<'m> {
         run(judge::rows::Call { code: &code, args, exact: None, fuel: self.fuel })
     }
 
-    /// The program of `f`, whose parameters the columns fit.
-    fn lowered(
-        &self,
-        f: Handle<Function>,
-        args: &Columns,
-        exact: Option<&[Vec<f64>]>,
-        reader: Reader,
-    ) -> Result<program::Program, InterpError> {
-        let program = lower::function(self.module, f, reader)?;
-        let expected = program.columns;
-        let function = || self.module.module().functions[f].name.clone().unwrap_or_default();
-        if args.width() != expected || args.columns.iter().any(|c| c.len() != args.rows) {
-            return Err(InterpError::Arguments { function: function(), expected, found: args.width() });
-        }
-        if exact.is_some_and(|e| e.len() != expected || e.iter().any(|c| c.len() != args.rows)) {
-            return Err(InterpError::ExactColumns { function: function(), expected });
-        }
-        Ok(program)
-    }
-
     /// Runs compute entry point `entry`, in strict f32, over `groups` workgroups; storage buffers and textures are
     /// updated in place. `resources` is [`Resources`], or a list of buffers.
     ///
@@ -277,11 +269,10 @@ impl<'m> Interpreter<'m> {
         groups: [u32; 3],
         resources: impl Into<Resources<'a>>,
     ) -> Result<(), InterpError> {
-        let (module, entry) = self.resolved(entry)?;
-        let size = module.module().entry_points[entry].workgroup_size;
-        let program = lower::entry(&module, entry, Reader::Lanes)?;
-        let packed = !program.cooperative;
-        let code = fast::Code::new(program, packed, self.isa)?;
+        let (module, resolved) = self.resolved(entry)?;
+        let size = module.module().entry_points[resolved].workgroup_size;
+        let lower = || lower::entry(&module, resolved, Reader::Lanes);
+        let code = self.cache.get(Scope::Entry(entry), self.isa, lower)?;
         let (fuel, subgroup) = (self.fuel, self.subgroup);
         fast::dispatch::Dispatch { code: &code, size, groups, fuel, subgroup }.run(resources.into())
     }

@@ -2,6 +2,7 @@
 
 use super::Interpreter;
 use super::error::{InterpError, Res};
+use super::fast::cache::Cache;
 use lobe_codegen::ValidModule;
 use lobe_codegen::foreign::{Language, Override, Source, isolate};
 use std::borrow::Cow;
@@ -12,7 +13,7 @@ impl Interpreter<'_> {
     /// What does not fit is an error of [`Interpreter::run`].
     #[must_use]
     pub fn with_overrides(self, overrides: Vec<Override>) -> Self {
-        Self { overrides, ..self }
+        Self { overrides, cache: Cache::default(), ..self }
     }
 
     /// The module in which overrides have their values, and the index of the entry point in it.

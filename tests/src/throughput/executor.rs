@@ -84,10 +84,17 @@ impl Executor {
     }
 }
 
+/// The module of a workload's text.
+pub(super) fn module(workload: &Workload) -> Result<ValidModule, BenchError> {
+    let name = workload.name;
+    validate::from_wgsl(&workload.text).map_err(|cause| BenchError::Validate { name, cause })
+}
+
 /// A workload, ready for every executor.
 pub(super) struct Subject<'w> {
     workload: &'w Workload,
-    module: ValidModule,
+    /// It links once for each instruction set, as a driver compiles once.
+    interpreter: Interpreter<'w>,
     spirv: Vec<u32>,
     /// The interpreter's buffers, which it updates in place.
     buffers: Vec<Buffer>,
@@ -96,12 +103,11 @@ pub(super) struct Subject<'w> {
 }
 
 impl<'w> Subject<'w> {
-    pub(super) fn new(workload: &'w Workload) -> Result<Self, BenchError> {
+    pub(super) fn new(workload: &'w Workload, module: &'w ValidModule) -> Result<Self, BenchError> {
         let name = workload.name;
-        let module =
-            validate::from_wgsl(&workload.text).map_err(|cause| BenchError::Validate { name, cause })?;
+        let interpreter = Interpreter::new(module).map_err(|cause| BenchError::Interp { name, cause })?;
         let written =
-            plain(&module, Target::Spirv, "main").map_err(|cause| BenchError::Emit { name, cause })?;
+            plain(module, Target::Spirv, "main").map_err(|cause| BenchError::Emit { name, cause })?;
         let spirv = match written.content {
             Content::Words(words) => words,
             Content::Text(_) => Vec::new(),
@@ -111,7 +117,7 @@ impl<'w> Subject<'w> {
             workload.inputs.iter().map(bytes).chain([vec![0; workload.items * 4]]).collect();
         let buffer = |(binding, data): (u32, &Vec<u8>)| Buffer { group: 0, binding, data: data.clone() };
         let buffers = (0..).zip(&data).map(buffer).collect();
-        Ok(Self { workload, module, spirv, buffers, data })
+        Ok(Self { workload, interpreter, spirv, buffers, data })
     }
 
     /// How long one pass over all items takes.
@@ -141,9 +147,9 @@ impl<'w> Subject<'w> {
     fn interpret(&mut self, isa: Isa) -> Result<Duration, BenchError> {
         let name = self.workload.name;
         let groups = self.groups();
+        let interpreter = self.interpreter.clone().with_isa(isa);
         let begin = Instant::now();
-        let outcome = Interpreter::new(&self.module)
-            .and_then(|interpreter| interpreter.with_isa(isa).run(0, groups, &mut self.buffers));
+        let outcome = interpreter.run(0, groups, &mut self.buffers);
         outcome.map(|()| begin.elapsed()).map_err(|cause| BenchError::Interp { name, cause })
     }
 

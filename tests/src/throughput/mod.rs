@@ -48,7 +48,8 @@ pub fn measure(
     executors: &mut [Executor],
     rounds: usize,
 ) -> Result<Vec<Measurement>, BenchError> {
-    let mut subject = Subject::new(workload)?;
+    let module = executor::module(workload)?;
+    let mut subject = Subject::new(workload, &module)?;
     let mut times = vec![Vec::with_capacity(rounds); executors.len()];
     for round in 0..=rounds {
         for (executor, times) in executors.iter_mut().zip(&mut times) {
@@ -123,7 +124,8 @@ mod tests {
         for maker in &WORKLOADS {
             let workload = maker.make(1000);
             let native = workload.run_native();
-            let mut subject = Subject::new(&workload).expect("valid");
+            let module = executor::module(&workload).expect("valid");
+            let mut subject = Subject::new(&workload, &module).expect("valid");
             subject.time(&mut Executor::Interp(Isa::Portable)).expect("it runs");
             let interp = subject.output();
             let differing = native.iter().zip(&interp).filter(|(a, b)| a.to_bits() != b.to_bits()).count();

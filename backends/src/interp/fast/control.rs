@@ -11,8 +11,8 @@ use std::marker::PhantomData;
 
 /// Steps that are no operations; `n[0]` is where to jump.
 pub(super) struct Jump;
-/// Jumps unless cell `s[0]` holds.
-pub(super) struct JumpUnless;
+/// Jumps if cell `s[0]` is `WHEN`.
+pub(super) struct JumpIf<const WHEN: bool>;
 /// `d` = mask `s[0]` where condition `s[1]` is `ACCEPT`; jumps if no lane is left.
 pub(super) struct Split<const ACCEPT: bool>;
 /// Takes the lanes of mask `s[0]` out of mask `d`.
@@ -59,12 +59,12 @@ impl<const N: usize> Body<N> for Jump {
     }
 }
 
-impl<const N: usize> Body<N> for JumpUnless {
+impl<const WHEN: bool, const N: usize> Body<N> for JumpIf<WHEN> {
     #[inline(always)]
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
         // SAFETY: as `Body` promises.
         let holds: u32 = unsafe { Same::hold(m, i.s[0]) };
-        if holds == 0 { i.n[0] as usize } else { at + 1 }
+        if (holds != 0) == WHEN { i.n[0] as usize } else { at + 1 }
     }
 }
 

@@ -52,6 +52,11 @@ impl Dispatch<'_> {
         self.size.iter().map(|n| *n as usize).product()
     }
 
+    /// Whether invocations are numbered along one axis.
+    fn line(&self) -> bool {
+        self.groups[1..] == [1, 1] && self.size[1..] == [1, 1]
+    }
+
     fn machine(&self, memory: &Memory) -> Machine<LANES> {
         let mut machine = Machine::new(self.code, self.fuel);
         machine.buffers.clone_from(&memory.buffers);
@@ -61,7 +66,14 @@ impl Dispatch<'_> {
     }
 
     fn position(&self, first: usize, live: usize) -> Position {
-        Position { first, live, size: self.size, groups: self.groups, subgroup: self.subgroup }
+        Position {
+            first,
+            live,
+            line: self.line(),
+            size: self.size,
+            groups: self.groups,
+            subgroup: self.subgroup,
+        }
     }
 
     /// Independent invocations.

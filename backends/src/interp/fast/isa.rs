@@ -2,7 +2,7 @@
 
 /// An instruction set that operations are compiled for. All give the same bits, but for those of NaN, whose sign and
 /// payload are the processor's choice.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Isa {
     /// What every machine of the target has.
     Portable,

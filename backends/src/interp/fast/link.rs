@@ -1,5 +1,6 @@
 //! From programs to code: forms of operations, slots, jumps, masks.
 
+mod elements;
 mod evals;
 mod flow;
 
@@ -9,7 +10,7 @@ use super::super::program::{Block, Program, Scalar, Stmt, Value};
 use super::allocate::{Allocation, allocate};
 use super::ops;
 use super::shape::{Body, exec};
-use super::{Code, Inst, Isa, machine, together};
+use super::{Code, Inst, Isa, machine, memory, together};
 use flow::{Mask, Region};
 use std::collections::HashSet;
 
@@ -26,6 +27,10 @@ struct Linker<'p, const N: usize> {
     zero: u32,
     insts: Vec<Inst<N>>,
     calls: together::Calls,
+    /// Arrays whose elements steps use.
+    elements: Vec<memory::Array>,
+    /// Registers that hold the number of the invocation along the first axis.
+    numbers: HashSet<Value>,
     /// Counts blocks as `passes::uniform` does.
     blocks: u32,
     regions: Vec<Region>,
@@ -64,14 +69,16 @@ pub(super) fn link<const N: usize>(program: Program, masks: &Masks, isa: Isa) ->
         zero,
         insts: Vec::new(),
         calls: together::Calls::default(),
+        elements: Vec::new(),
+        numbers: HashSet::new(),
         blocks: 0,
         regions: Vec::new(),
         cleared: HashSet::new(),
     };
     linker.whole(&arrays)?;
     let results = program.results.iter().map(|v| (*v, linker.place(*v), program.varying(*v))).collect();
-    let (insts, calls) = (linker.insts, linker.calls.into());
-    Ok(Code { insts, calls, narrow, wide, cells, results, program })
+    let (insts, calls, arrays) = (linker.insts, linker.calls.into(), linker.elements.into());
+    Ok(Code { insts, calls, narrow, wide, cells, arrays, results, program })
 }
 
 impl<const N: usize> Linker<'_, N> {
@@ -114,8 +121,18 @@ impl<const N: usize> Linker<'_, N> {
     }
 
     fn block(&mut self, block: &Block, mask: Mask, arrays: &[u32]) -> Res<()> {
-        for stmt in block {
-            self.statement(stmt, mask, arrays)?;
+        let mut rest = &block[..];
+        while let [stmt, after @ ..] = rest {
+            rest = match elements::together(self.program, rest) {
+                0 | 1 => {
+                    self.statement(stmt, mask, arrays)?;
+                    after
+                }
+                count => {
+                    self.load_together(&rest[..count]);
+                    &rest[count..]
+                }
+            };
             if self.cleared.remove(&mask.owner) {
                 self.skip_empty(mask);
             }

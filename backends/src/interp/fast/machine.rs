@@ -2,9 +2,11 @@
 #![allow(unsafe_code, reason = "slots are reached by pointers, so that results and operands are known apart")]
 
 use super::super::program::Program;
+use super::memory::{self, Array};
 use super::together::{BoundImage, Calls, Operand};
 use super::{Code, Stop};
 use crate::texture::Sampler;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The lanes of a slot, where vector loads like them.
@@ -26,6 +28,8 @@ pub(crate) struct Position {
     pub(super) first: usize,
     /// Lanes that exist.
     pub(super) live: usize,
+    /// Whether invocations are numbered along one axis.
+    pub(super) line: bool,
     /// Size of a workgroup and number of workgroups.
     pub(super) size: [u32; 3],
     pub(super) groups: [u32; 3],
@@ -42,6 +46,9 @@ pub(crate) struct Machine<const N: usize> {
     pub(super) images: Vec<BoundImage>,
     pub(super) samplers: Vec<Sampler>,
     pub(super) calls: Arc<Calls>,
+    pub(super) arrays: Arc<[Array]>,
+    /// Bytes that the next batch is going to load, of which a line is asked for at each step.
+    ahead: Range<*const u8>,
     pub(super) columns: Vec<*const u32>,
     pub(super) position: Position,
     /// Rounds of loops left.
@@ -59,6 +66,8 @@ impl<const N: usize> Machine<N> {
             images: Vec::new(),
             samplers: Vec::new(),
             calls: Arc::clone(&code.calls),
+            arrays: code.arrays.clone(),
+            ahead: std::ptr::null()..std::ptr::null(),
             columns: Vec::new(),
             position: Position::default(),
             fuel,
@@ -68,9 +77,30 @@ impl<const N: usize> Machine<N> {
 
     /// Places the batch and makes its lanes active.
     pub(super) fn place(&mut self, position: Position) {
+        let same = self.position.live == position.live;
         self.position = position;
+        self.ahead = memory::next_batch(self);
+        if same {
+            return;
+        }
         for (lane, mask) in self.narrow[0].0.iter_mut().enumerate() {
             *mask = if lane < position.live { u32::MAX } else { 0 };
+        }
+    }
+
+    /// Asks for a line of what the next batch needs: spread over the steps, memory answers while they compute.
+    #[inline(always)]
+    pub(super) fn fetch_ahead(&mut self) {
+        const LINE: usize = 64;
+        if self.ahead.start < self.ahead.end {
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: a hint, whatever the address is; any x86-64 has it.
+            unsafe {
+                std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(
+                    self.ahead.start.cast(),
+                );
+            }
+            self.ahead.start = self.ahead.start.wrapping_add(LINE);
         }
     }
 

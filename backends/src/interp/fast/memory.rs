@@ -6,6 +6,7 @@ mod address;
 mod atomic;
 mod atomics;
 mod buffer;
+mod element;
 mod input;
 mod lane;
 mod narrow;
@@ -13,7 +14,8 @@ mod narrow;
 pub(super) use address::{index, length};
 pub(super) use atomic::atomic;
 pub(super) use atomics::number;
-pub(super) use buffer::{load, store};
+pub(super) use buffer::{load, load_word, load_words, store};
+pub(super) use element::{Array, load_element, load_four, next_batch, store_element};
 pub(super) use input::{input, provide, provide_same};
 pub(super) use lane::{lane_load, lane_store};
 

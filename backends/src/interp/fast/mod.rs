@@ -7,13 +7,14 @@
 //!   masks, [`together`] textures and subgroups.
 //! - [`allocate`] gives registers their slots, [`link`] makes a program into [`code`](Code): a list of function
 //!   pointers with their operands.
-//! - [`rows`] runs code on rows of arguments, [`dispatch`] on workgroups over buffers.
+//! - [`cache`] keeps code; [`rows`] runs code on rows of arguments, [`dispatch`] on workgroups over buffers.
 //!
 //! Lanes that are not active compute nonsense that nobody reads. No operation can fail, and each address
 //! is clamped where it is used, so nonsense is harmless.
 #![allow(unsafe_code, reason = "steps are called by pointer")]
 
 mod allocate;
+pub(super) mod cache;
 mod control;
 pub(super) mod dispatch;
 pub(super) mod isa;
@@ -31,6 +32,7 @@ use super::error::{InterpError, Res};
 use super::program::{Program, Value};
 use machine::Machine;
 use shape::Exec;
+use std::sync::Arc;
 
 /// Lanes of a batch: measured; smaller pays more for each operation's call, larger leaves the first cache.
 pub(super) const LANES: usize = 128;
@@ -53,9 +55,11 @@ pub(super) struct Code<const N: usize> {
     wide: usize,
     /// First values of the cells: constants.
     cells: Vec<u64>,
+    /// Arrays whose elements steps load and store.
+    arrays: Arc<[memory::Array]>,
     /// Slot or cell of each result, and whether it is a slot.
     results: Vec<(Value, u32, bool)>,
-    calls: std::sync::Arc<together::Calls>,
+    calls: Arc<together::Calls>,
     pub(super) program: Program,
 }
 
@@ -84,6 +88,7 @@ impl<const N: usize> Code<N> {
         machine.stop = Stop::Done;
         let mut at = at;
         while let Some(inst) = self.insts.get(at) {
+            machine.fetch_ahead();
             // SAFETY: `link` made the step: its slots and cells are those of a machine of this code, no result
             // shares a slot with an operand, and the instruction set is one that `Isa` found.
             at = unsafe { (inst.run)(machine, inst, at) };

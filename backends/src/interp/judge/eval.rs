@@ -43,7 +43,7 @@ impl<M: Model> Machine<'_, M> {
             }
             Op::Load { place, scalar, .. } => self.load(place, scalar, to),
             Op::Mark(scalar, mark) => self.mark(scalar, mark, args, to),
-            Op::Fused { .. } => Err(self.refuse(format!("{:?}", eval.op))),
+            Op::Fused { .. } | Op::Horner { .. } => Err(self.refuse(format!("{:?}", eval.op))),
         }
     }
 

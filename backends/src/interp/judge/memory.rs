@@ -121,6 +121,7 @@ impl<M: Model> Machine<'_, M> {
                 self.load_shared(buffer, &at, scalar, to)?;
                 self.forget_unknown(index, to)
             }
+            Place::Element { .. } => Err(self.refuse(format!("{place:?}"))),
         }
     }
 
@@ -183,6 +184,7 @@ impl<M: Model> Machine<'_, M> {
                 let at = self.addresses(offset, index)?;
                 self.store_shared(buffer, &at, value)
             }
+            Place::Element { .. } => Err(self.refuse(format!("{place:?}"))),
         }
     }
 

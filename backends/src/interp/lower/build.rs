@@ -182,7 +182,8 @@ impl Builder {
             | Op::Length { .. }
             | Op::Load { .. }
             | Op::Mark(..)
-            | Op::Fused { .. } => false,
+            | Op::Fused { .. }
+            | Op::Horner { .. } => false,
         };
         let known = args.iter().map(|a| self.known(*a)).collect::<Option<Vec<_>>>().filter(|_| exact)?;
         let bits = eval(op, &known)?;
@@ -227,16 +228,13 @@ impl Builder {
     }
 
     pub(crate) fn load(&mut self, place: Place, scalar: Scalar) -> Value {
-        let changes = match place {
-            Place::Buffer { buffer, .. } => self.program.buffers[buffer as usize].writable,
-            Place::Lane { .. } => true,
-        };
+        let changes = place.buffer().is_none_or(|buffer| self.program.buffers[buffer as usize].writable);
         let epoch = if changes { self.epoch } else { 0 };
         self.eval(Op::Load { place, scalar, epoch }, &[])
     }
 
     pub(crate) fn store(&mut self, place: Place, value: Value) {
-        if let Place::Buffer { buffer, .. } = place {
+        if let Some(buffer) = place.buffer() {
             self.program.buffers[buffer as usize].written = true;
         }
         self.touch();
@@ -269,6 +267,7 @@ fn errs(op: Op) -> bool {
         | Op::Length { .. }
         | Op::Load { .. }
         | Op::Mark(..)
-        | Op::Fused { .. } => false,
+        | Op::Fused { .. }
+        | Op::Horner { .. } => false,
     }
 }

@@ -74,7 +74,8 @@ fn weight(op: Op) -> u32 {
         | Op::Index { .. }
         | Op::Length { .. }
         | Op::Mark(..)
-        | Op::Fused { .. } => 1,
+        | Op::Fused { .. }
+        | Op::Horner { .. } => 1,
     }
 }
 

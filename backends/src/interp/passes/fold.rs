@@ -1,23 +1,18 @@
 //! Negations go into what reads them: selects and branches swap their sides, a conjunction becomes `AndNot`.
 
 use super::super::program::op::LogicOp;
-use super::super::program::{Args, Block, Eval, Op, Program, Stmt, Value};
-use super::walk;
+use super::super::program::{Args, Block, Eval, Op, Program, Reg, Stmt, Value};
+use super::kept;
 use std::collections::{HashMap, HashSet};
 
 pub(super) fn fold(program: &mut Program) {
-    let mut kept = HashSet::new();
-    walk(&program.body, &mut |stmt| {
-        if let Stmt::Set { to, .. } = stmt {
-            kept.insert(Value::Reg(*to));
-        }
-    });
+    let kept = kept(program);
     Fold { kept, negated: HashMap::new() }.block(&mut program.body);
 }
 
 struct Fold {
     /// Registers that change: what negates them holds only where it is computed.
-    kept: HashSet<Value>,
+    kept: HashSet<Reg>,
     /// The result of a `Not` and its operand.
     negated: HashMap<Value, Value>,
 }
@@ -55,7 +50,7 @@ impl Fold {
                     eval.op = Op::Copy(super::super::program::Scalar::Bool);
                     eval.args = Args::new(&[*inner]);
                 }
-                None if self.kept.contains(a) => {}
+                None if matches!(a, Value::Reg(reg) if self.kept.contains(reg)) => {}
                 None => {
                     self.negated.insert(Value::Reg(eval.to), *a);
                 }

@@ -1,28 +1,36 @@
 //! Rewrites of programs, each a file; [`for_lanes`] is their order for the executor on lanes.
 //!
-//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`, `order` and
-//! `fuse` forget what a judge of decisions wants to know, and are for speed alone.
+//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`, `order`,
+//! `elements`, `fuse` and `horner` forget what a judge of decisions wants to know, and are for speed alone.
 
+mod common;
 mod dead;
+mod elements;
 mod flatten;
 mod fold;
 mod fuse;
+mod horner;
 mod order;
 mod uniform;
 
 pub(super) use uniform::{Masks, Owner};
 
 use super::program::{Block, Program, Reg, Stmt, Value};
+use std::collections::HashSet;
 
 /// Prepares a program for the executor on lanes. `packed` says that a batch may hold several workgroups.
 pub(super) fn for_lanes(program: &mut Program, packed: bool) -> Masks {
     dead::remove(program);
     flatten::flatten(program);
     fold::fold(program);
+    common::common(program);
     dead::remove(program);
     uniform::classify(program, packed);
     order::order(program);
+    elements::elements(program);
     fuse::fuse(program);
+    dead::remove(program);
+    horner::horner(program);
     dead::remove(program);
     uniform::classify(program, packed)
 }
@@ -33,6 +41,17 @@ fn walk<'a>(block: &'a Block, f: &mut impl FnMut(&'a Stmt)) {
         f(stmt);
         stmt.blocks().into_iter().flatten().for_each(|inner| walk(inner, f));
     }
+}
+
+/// Registers that are assigned: what they hold changes.
+fn kept(program: &Program) -> HashSet<Reg> {
+    let mut kept = HashSet::new();
+    walk(&program.body, &mut |stmt| {
+        if let Stmt::Set { to, .. } = stmt {
+            kept.insert(*to);
+        }
+    });
+    kept
 }
 
 /// How often each register is read.

@@ -44,6 +44,7 @@ fn commutes(op: Op) -> bool {
         | Op::Length { .. }
         | Op::Mark(..)
         | Op::Load { .. }
-        | Op::Fused { .. } => false,
+        | Op::Fused { .. }
+        | Op::Horner { .. } => false,
     }
 }

@@ -147,7 +147,8 @@ impl Pass<'_> {
             | Op::Mark(..)
             | Op::Index { .. }
             | Op::Length { .. }
-            | Op::Fused { .. } => false,
+            | Op::Fused { .. }
+            | Op::Horner { .. } => false,
         }
     }
 }

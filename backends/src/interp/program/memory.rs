@@ -45,6 +45,9 @@ pub(crate) enum Place {
     Buffer { buffer: u32, offset: u32, index: Option<Value> },
     /// Scalar `offset + index` of a lane array.
     Lane { array: u32, offset: u32, index: Option<Value> },
+    /// Byte `offset` of an element, `stride` bytes long, of an array that begins with the buffer; the index is
+    /// clamped to the last. Made by passes.
+    Element { buffer: u32, offset: u32, index: Value, count: Count, stride: u32 },
 }
 
 impl Place {
@@ -52,6 +55,34 @@ impl Place {
     pub(crate) fn index(&self) -> Option<Value> {
         match self {
             Self::Buffer { index, .. } | Self::Lane { index, .. } => *index,
+            Self::Element { index, .. } => Some(*index),
+        }
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn index_mut(&mut self) -> Option<&mut Value> {
+        match self {
+            Self::Buffer { index, .. } | Self::Lane { index, .. } => index.as_mut(),
+            Self::Element { index, .. } => Some(index),
+        }
+    }
+
+    /// Whether both lie in one element, at the same index.
+    pub(crate) fn same_element(&self, other: &Self) -> bool {
+        match (*self, *other) {
+            (
+                Self::Element { buffer: a, index: i, count: m, stride: s, .. },
+                Self::Element { buffer: b, index: j, count: n, stride: t, .. },
+            ) => (a, i, m, s) == (b, j, n, t),
+            _ => false,
+        }
+    }
+
+    /// The buffer, unless it is a lane's own memory.
+    pub(crate) fn buffer(&self) -> Option<u32> {
+        match self {
+            Self::Buffer { buffer, .. } | Self::Element { buffer, .. } => Some(*buffer),
+            Self::Lane { .. } => None,
         }
     }
 }

@@ -259,6 +259,40 @@ impl Stmt {
         }
     }
 
+    /// The same, to be changed.
+    pub(crate) fn operands_mut(&mut self, f: &mut impl FnMut(&mut Value)) {
+        match self {
+            Self::Eval(eval) => {
+                eval.args.iter_mut().for_each(&mut *f);
+                if let Op::Load { place, .. } = &mut eval.op {
+                    place.index_mut().into_iter().for_each(f);
+                }
+            }
+            Self::Set { value, .. } => f(value),
+            Self::Store { place, value, .. } => {
+                place.index_mut().into_iter().for_each(&mut *f);
+                f(value);
+            }
+            Self::Atomic(atomic) => {
+                atomic.place.index_mut().into_iter().for_each(&mut *f);
+                f(&mut atomic.value);
+                atomic.expected.iter_mut().for_each(f);
+            }
+            Self::Texture(access) => {
+                access.operands = access.operands.map(|mut value| {
+                    f(&mut value);
+                    value
+                });
+            }
+            Self::Subgroup(subgroup) => {
+                f(&mut subgroup.value);
+                subgroup.index.iter_mut().for_each(f);
+            }
+            Self::If { condition, .. } => f(condition),
+            Self::Loop { .. } | Self::Scope { .. } | Self::Leave(_) | Self::Barrier { .. } => {}
+        }
+    }
+
     /// The registers that it computes or assigns.
     pub(crate) fn targets(&self) -> impl Iterator<Item = Reg> {
         let one = |reg| [reg, None, None, None];

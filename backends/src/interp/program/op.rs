@@ -33,6 +33,11 @@ impl Scalar {
         }
     }
 
+    /// Whether it is a word of 32 bits in memory.
+    pub(crate) fn is_word(self) -> bool {
+        matches!(self, Self::I32 | Self::U32 | Self::F32)
+    }
+
     /// Bytes in memory.
     pub(crate) fn bytes(self) -> u32 {
         match self {
@@ -252,6 +257,13 @@ pub(crate) enum Op {
         second: Simple,
         flipped: bool,
     },
+    /// A polynomial in `args[0]` by Horner's rule, each product and each sum rounded. It begins with `args[1]` if
+    /// `begun`; its coefficients are `count` constants from `first` on. Made by passes.
+    Horner {
+        first: u32,
+        count: u32,
+        begun: bool,
+    },
 }
 
 impl Op {
@@ -271,7 +283,7 @@ impl Op {
             Self::Compare(..) | Self::Logic(_) | Self::IsNan(_) | Self::IsInf(_) => Scalar::Bool,
             Self::Exponent(_) => Scalar::I32,
             Self::Index { .. } | Self::Length { .. } => Scalar::U32,
-            Self::Fused { .. } => Scalar::F32,
+            Self::Fused { .. } | Self::Horner { .. } => Scalar::F32,
         }
     }
 
@@ -295,7 +307,8 @@ impl Op {
             | Self::Index { .. }
             | Self::Length { .. }
             | Self::Mark(..)
-            | Self::Fused { .. } => None,
+            | Self::Fused { .. }
+            | Self::Horner { .. } => None,
         }
     }
 }

@@ -28,7 +28,13 @@ pub(crate) fn eval(op: Op, args: &[u64]) -> Option<u64> {
             let (a, b) = if flipped { (single(arg(2)), inner) } else { (inner, single(arg(2))) };
             simple(second, a, b).to_bits().into()
         }
-        Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. } | Op::Mark(..) => return None,
+        // A polynomial's coefficients are the program's.
+        Op::Input(..)
+        | Op::Index { .. }
+        | Op::Length { .. }
+        | Op::Load { .. }
+        | Op::Mark(..)
+        | Op::Horner { .. } => return None,
     })
 }
 

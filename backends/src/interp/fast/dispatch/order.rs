@@ -66,15 +66,19 @@ fn note<'p>(
         match stmt {
             Stmt::Eval(eval) => {
                 evals.insert(eval.to, eval);
-                if let Op::Load { place: place @ Place::Buffer { buffer, .. }, .. } = eval.op {
+                if let Op::Load { place, .. } = eval.op
+                    && let Some(buffer) = place.buffer()
+                {
                     uses.entry(buffer).or_default().loads.insert(place);
                 }
             }
-            Stmt::Store { place: place @ Place::Buffer { buffer, .. }, .. } => {
-                uses.entry(*buffer).or_default().stores.insert(*place);
+            Stmt::Store { place, .. } => {
+                if let Some(buffer) = place.buffer() {
+                    uses.entry(buffer).or_default().stores.insert(*place);
+                }
             }
             Stmt::Atomic(atomic) => {
-                if let Place::Buffer { buffer, .. } = atomic.place {
+                if let Some(buffer) = atomic.place.buffer() {
                     let uses = uses.entry(buffer).or_default();
                     uses.updates = true;
                     let swaps = matches!(atomic.fun, Update::Exchange | Update::CompareExchange);
@@ -82,8 +86,7 @@ fn note<'p>(
                 }
             }
             Stmt::Texture(access) => texels.push(access),
-            Stmt::Store { place: Place::Lane { .. }, .. }
-            | Stmt::Subgroup(_)
+            Stmt::Subgroup(_)
             | Stmt::Set { .. }
             | Stmt::If { .. }
             | Stmt::Loop { .. }
@@ -101,14 +104,16 @@ fn own(place: &Place, evals: &HashMap<Reg, &Eval>) -> Option<Elements> {
         Some(Value::Reg(reg)) => evals.get(&reg).copied(),
         Some(Value::Const(_)) | None => None,
     };
+    let is_number =
+        |value| matches!(eval(value)?.op, Op::Input(Input::GlobalInvocationId(0), _)).then_some(());
+    if let Place::Element { index, count, stride, .. } = *place {
+        is_number(Some(index))?;
+        return Some(Elements { count, stride });
+    }
     let index = eval(place.index())?;
-    let number = eval(index.args.first().copied())?;
-    match (index.op, number.op) {
-        (Op::Index { count, stride }, Op::Input(Input::GlobalInvocationId(0), _))
-            if index.args.len() == 1 =>
-        {
-            Some(Elements { count, stride })
-        }
+    is_number(index.args.first().copied())?;
+    match index.op {
+        Op::Index { count, stride } if index.args.len() == 1 => Some(Elements { count, stride }),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::super::error::Res;
 use super::super::super::program::op::Input;
-use super::super::super::program::{Access, Atomic, Count, Eval, Op, Place, Reg, Subgroup, Value};
+use super::super::super::program::{Access, Atomic, Count, Eval, Op, Place, Reg, Stmt, Subgroup, Value};
 use super::super::control::Blend;
 use super::super::shape::{Ask, Each, Same, exec};
 use super::super::together::{self, Operand, SubgroupCall, TextureCall};
@@ -15,6 +15,9 @@ impl<const N: usize> Linker<'_, N> {
         let d = self.place(Value::Reg(eval.to));
         match eval.op {
             Op::Input(input, scalar) => {
+                if input == Input::GlobalInvocationId(0) {
+                    self.numbers.insert(Value::Reg(eval.to));
+                }
                 self.input(input, d, scalar == super::Scalar::Bool, eval);
                 Ok(())
             }
@@ -25,6 +28,10 @@ impl<const N: usize> Linker<'_, N> {
             Op::Length { buffer, begin, stride } => {
                 let run = memory::length(self.isa);
                 self.insts.push(Inst { run, d, s: [0; 4], n: [buffer, begin, stride] });
+                Ok(())
+            }
+            Op::Load { place: Place::Element { .. }, .. } => {
+                self.load_elements(&[Stmt::Eval(*eval)]);
                 Ok(())
             }
             Op::Load { place, scalar, .. } => self.load(place, scalar, d, arrays),
@@ -41,7 +48,8 @@ impl<const N: usize> Linker<'_, N> {
             | Op::Exponent(_)
             | Op::Ldexp(_)
             | Op::Mark(..)
-            | Op::Fused { .. }) => self.operation(op, eval, d),
+            | Op::Fused { .. }
+            | Op::Horner { .. }) => self.operation(op, eval, d),
         }
     }
 
@@ -60,7 +68,11 @@ impl<const N: usize> Linker<'_, N> {
             found = ops::find::<N>(op, ask).flatten();
         }
         let run = found.ok_or_else(|| self.refuse(format!("{op:?}")))?;
-        self.insts.push(Inst { run, d, s, n: [0; 3] });
+        let n = match op {
+            Op::Horner { first, count, begun } => [first, count, begun.into()],
+            _ => [0; 3],
+        };
+        self.insts.push(Inst { run, d, s, n });
         Ok(())
     }
 
@@ -92,10 +104,7 @@ impl<const N: usize> Linker<'_, N> {
 
     fn address(&mut self, eval: &Eval, count: Count, stride: u32, d: u32) {
         let (index, base) = (self.index(eval.args.first().copied()), self.index(eval.args.get(1).copied()));
-        let n = match count {
-            Count::Fixed(count) => [stride, count, 0],
-            Count::Runtime { buffer, begin } => [stride, begin, buffer + 1],
-        };
+        let n = bounds(count, stride);
         let run = memory::index(index.1, base.1, self.isa);
         self.insts.push(Inst { run, d, s: [index.0, base.0, 0, 0], n });
     }
@@ -111,6 +120,8 @@ impl<const N: usize> Linker<'_, N> {
                 let run = memory::lane_load(scalar, shape.wide, varying);
                 (run, [arrays[array as usize], offset, shape.len.saturating_sub(1)])
             }
+            // `elements` links these.
+            Place::Element { .. } => return Ok(()),
         };
         self.insts.push(Inst { run, d, s: [index, 0, 0, 0], n });
         Ok(())
@@ -128,6 +139,10 @@ impl<const N: usize> Linker<'_, N> {
                 let shape = self.program.arrays[array as usize];
                 let run = memory::lane_store(scalar, shape.wide, [varying, value.1]);
                 (run, [arrays[array as usize], offset, shape.len.saturating_sub(1)])
+            }
+            Place::Element { .. } => {
+                self.store_element(place, value, mask.slot);
+                return Ok(());
             }
         };
         self.insts.push(Inst { run, d: 0, s: [index, value.0, mask.slot, 0], n });
@@ -215,5 +230,13 @@ impl<const N: usize> Linker<'_, N> {
         };
         let s = if whole || !to { [s, 0, 0, 0] } else { [mask.slot, s, 0, 0] };
         self.insts.push(Inst { run, d, s, n: [0; 3] });
+    }
+}
+
+/// Stride and number of elements as steps that compute addresses take them.
+pub(super) fn bounds(count: Count, stride: u32) -> [u32; 3] {
+    match count {
+        Count::Fixed(count) => [stride, count, 0],
+        Count::Runtime { buffer, begin } => [stride, begin, buffer + 1],
     }
 }

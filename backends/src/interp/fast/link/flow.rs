@@ -3,7 +3,7 @@
 use super::super::super::error::Res;
 use super::super::super::passes::Owner;
 use super::super::super::program::{Block, Label, Scalar, Value};
-use super::super::control::{Clear, Jump, JumpUnless, Round, SkipEmpty, Split};
+use super::super::control::{Clear, Jump, JumpIf, Round, SkipEmpty, Split};
 use super::super::shape::Ask;
 use super::super::{Inst, ops};
 use super::{COPIES, Linker};
@@ -70,15 +70,23 @@ impl<const N: usize> Linker<'_, N> {
         mask: Mask,
         arrays: &[u32],
     ) -> Res<()> {
-        self.push::<JumpUnless>(0, [self.place(condition), 0, 0, 0], [0; 3]);
-        let unless = self.insts.len() - 1;
+        let s = [self.place(condition), 0, 0, 0];
+        if accept.is_empty() {
+            self.push::<JumpIf<true>>(0, s, [0; 3]);
+        } else {
+            self.push::<JumpIf<false>>(0, s, [0; 3]);
+        }
+        let mut over = self.insts.len() - 1;
         let inner = self.inner(false, mask);
         self.block(accept, inner, arrays)?;
-        let over = (!reject.is_empty()).then(|| self.jump());
-        self.arrive(vec![unless]);
+        if !accept.is_empty() && !reject.is_empty() {
+            let end = self.jump();
+            self.arrive(vec![over]);
+            over = end;
+        }
         let inner = self.inner(false, mask);
         self.block(reject, inner, arrays)?;
-        self.arrive(over.into_iter().collect());
+        self.arrive(vec![over]);
         Ok(())
     }
 

@@ -16,6 +16,8 @@ use std::marker::PhantomData;
 struct Load<T>(PhantomData<T>);
 /// The same where the address is one.
 struct LoadSame<T>(PhantomData<T>);
+/// `d`, `s[1]`, `s[2]`, `s[3]`, as many as `n[2]` says, = words of buffer `n[0]` from `s[0] + n[1]` on.
+struct LoadSameWords;
 /// Buffer `n[0]` at `s[0] + n[1]` = `s[1]` in the lanes of mask `s[2]`.
 struct Store<T, I, S>(PhantomData<(T, I, S)>);
 
@@ -54,6 +56,23 @@ impl<T: Lane, const N: usize> Body<N> for LoadSame<T> {
             let place = buffer.at(u64::from(index) + u64::from(i.n[1]), size_of::<T>());
             let value = place.map_or(T::from_cell(0), |p| p.cast::<T>().read_unaligned());
             set_cell(m, i.d, value);
+        }
+        at + 1
+    }
+}
+
+impl<const N: usize> Body<N> for LoadSameWords {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        let buffer = m.buffers[i.n[0] as usize];
+        // SAFETY: cells as `Body` promises; addresses are clamped to the buffer.
+        unsafe {
+            let index: u32 = Same::hold(m, i.s[0]);
+            let begin = u64::from(index) + u64::from(i.n[1]);
+            for (word, to) in [i.d, i.s[1], i.s[2], i.s[3]].into_iter().take(i.n[2] as usize).enumerate() {
+                let place = buffer.at(begin + 4 * word as u64, 4);
+                set_cell(m, to, place.map_or(0, |p| p.cast::<u32>().read_unaligned()));
+            }
         }
         at + 1
     }
@@ -102,6 +121,16 @@ pub(in super::super) fn load<const N: usize>(scalar: Scalar, index: bool, isa: I
         (_, true) => exec::<Load<u32>, N>(isa),
         (_, false) => exec::<LoadSame<u32>, N>(isa),
     }
+}
+
+/// Of 32 bits, where the address is one.
+pub(in super::super) fn load_word<const N: usize>(isa: Isa) -> Exec<N> {
+    exec::<LoadSame<u32>, N>(isa)
+}
+
+/// The same, of up to four neighbours.
+pub(in super::super) fn load_words<const N: usize>(isa: Isa) -> Exec<N> {
+    exec::<LoadSameWords, N>(isa)
 }
 
 // Stores go lane by lane: wider vectors would not help.

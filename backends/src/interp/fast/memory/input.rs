@@ -35,8 +35,8 @@ impl<const N: usize> Machine<N> {
             return;
         }
         let axis = part as usize;
-        if kind == 1 && axis == 0 && p.size[1..] == [1, 1] && p.groups[1..] == [1, 1] {
-            d.iter_mut().zip(p.first as u32..).for_each(|(d, id)| *d = id);
+        if kind == 1 && axis == 0 && p.line {
+            d.iter_mut().enumerate().for_each(|(lane, d)| *d = (p.first as u32).wrapping_add(lane as u32));
             return;
         }
         self.each_invocation(|lane, local, group, index| {

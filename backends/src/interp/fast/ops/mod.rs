@@ -6,6 +6,7 @@ mod cast;
 mod float;
 mod floats;
 mod fused;
+mod horner;
 mod integer;
 mod logic;
 mod sized;
@@ -76,6 +77,7 @@ pub(super) fn find<const N: usize>(op: Op, ask: Ask) -> Option<Found<N>> {
         Op::Exponent(scalar) => Some(floats::exponent(scalar, ask)),
         Op::Ldexp(scalar) => Some(floats::ldexp(scalar, ask)),
         Op::Fused { first, second, flipped } => Some(fused::find(first, second, flipped, ask)),
+        Op::Horner { count, begun, .. } => Some(horner::find(count, begun, ask)),
         // `memory` and `control` link these.
         Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. } => None,
         // For judges.

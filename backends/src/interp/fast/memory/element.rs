@@ -1,0 +1,266 @@
+//! Elements of arrays at the lanes' indices: 32-bit words of them, up to four neighbours at once.
+#![allow(unsafe_code, reason = "memory that other threads may use is reached by pointers")]
+#![allow(
+    clippy::needless_range_loop,
+    reason = "lanes of several operands side by side, as the vectoriser likes them"
+)]
+
+use super::super::super::program::Count;
+use super::super::machine::{Bound, Lane, Machine};
+use super::super::shape::{Body, Each, Exec, Same, Source, exec, target};
+use super::super::{Inst, Isa};
+use std::marker::PhantomData;
+use std::ops::Range;
+
+/// The elements that a step chooses from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) struct Array {
+    pub(in super::super) buffer: u32,
+    pub(in super::super) count: Count,
+    pub(in super::super) stride: u32,
+    /// Whether the index is the number of the invocation along the first axis.
+    pub(in super::super) by_number: bool,
+}
+
+/// `d` = word at `n[1]` of element `s[0]` of array `n[0]`.
+struct Load;
+/// `d`, `s[1]`, `s[2]`, `s[3]` = four words from `n[1]` on of element `s[0]` of array `n[0]`.
+struct LoadFour;
+/// Word at `n[1]` of element `s[0]` of array `n[0]` = `s[1]` in the lanes of mask `s[2]`.
+struct Store<S>(PhantomData<S>);
+
+/// An array in memory.
+#[derive(Clone, Copy)]
+struct Elements {
+    memory: Bound,
+    count: u32,
+    stride: u32,
+}
+
+impl Elements {
+    #[inline(always)]
+    fn of<const N: usize>(m: &Machine<N>, array: Array) -> Self {
+        let memory = m.buffers[array.buffer as usize];
+        let count = match array.count {
+            Count::Fixed(count) => count,
+            Count::Runtime { buffer, begin } => {
+                let bytes = m.buffers[buffer as usize].len.saturating_sub(begin as usize);
+                (bytes / array.stride.max(1) as usize).min(u32::MAX as usize) as u32
+            }
+        };
+        Self { memory, count, stride: array.stride }
+    }
+
+    /// The bytes of some elements, as far as they exist.
+    fn bytes(self, elements: Range<usize>) -> Range<*const u8> {
+        let end = (self.count as usize * self.stride as usize).min(self.memory.len);
+        let address =
+            |at: usize| self.memory.ptr.wrapping_add(end.min(at * self.stride as usize)).cast_const();
+        address(elements.start)..address(elements.end)
+    }
+
+    /// Offsets of the lanes' elements.
+    #[inline(always)]
+    fn offsets<const N: usize>(self, index: &[u32; N]) -> [u32; N] {
+        let last = self.count.saturating_sub(1);
+        let mut offsets = [0; N];
+        for lane in 0..N {
+            offsets[lane] = index[lane].min(last).wrapping_mul(self.stride);
+        }
+        offsets
+    }
+
+    /// Whether `bytes` of each of these elements, from `offset` on, lie in memory.
+    #[inline(always)]
+    fn fit<const N: usize>(self, offsets: &[u32; N], offset: u32, bytes: usize) -> bool {
+        let furthest = offsets.iter().fold(0, |most: u32, at| most.max(*at));
+        furthest as usize + offset as usize + bytes <= self.memory.len
+    }
+
+    /// The words at `offset` of all elements that lanes use, if they lie one after the other.
+    #[inline(always)]
+    fn run<const N: usize>(self, index: &[u32; N], ordered: bool, offset: u32) -> Option<*mut [u32; N]> {
+        let first = index[0] as usize;
+        let within = self.stride == 4 && first + N <= self.count as usize;
+        let begin = first * 4 + offset as usize;
+        let fits = within && begin + N * 4 <= self.memory.len;
+        (fits && (ordered || consecutive(index))).then(|| self.memory.ptr.wrapping_add(begin).cast())
+    }
+
+    /// The place of a word, clamped to memory that has at least one.
+    #[inline(always)]
+    fn word(self, at: u32, offset: u32) -> *mut u32 {
+        let last = self.memory.len.saturating_sub(4);
+        self.memory.ptr.wrapping_add((at as usize + offset as usize).min(last)).cast()
+    }
+}
+
+#[inline(always)]
+fn consecutive<const N: usize>(index: &[u32; N]) -> bool {
+    let mut apart = 0;
+    for lane in 0..N {
+        apart |= index[lane] ^ index[0].wrapping_add(lane as u32);
+    }
+    apart == 0
+}
+
+/// The array of a step, and whether lanes use consecutive elements for certain.
+#[inline(always)]
+fn array<const N: usize>(m: &Machine<N>, i: &Inst<N>) -> (Elements, bool) {
+    let array = m.arrays[i.n[0] as usize];
+    (Elements::of(m, array), array.by_number && m.position.line)
+}
+
+/// The bytes of the largest elements that the batch after this one uses by number; small ones the processor foresees.
+pub(in super::super) fn next_batch<const N: usize>(m: &Machine<N>) -> Range<*const u8> {
+    let large = |array: &&Array| array.by_number && array.stride >= 16;
+    match m.arrays.iter().filter(large).max_by_key(|array| array.stride) {
+        Some(array) if m.position.line => {
+            let first = m.position.first + N;
+            Elements::of(m, *array).bytes(first..first + N)
+        }
+        Some(_) | None => std::ptr::null()..std::ptr::null(),
+    }
+}
+
+impl<const N: usize> Body<N> for Load {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        let (elements, ordered) = array(m, i);
+        // SAFETY: slots as `Body` promises; words lie in memory.
+        unsafe {
+            let index: &[u32; N] = Each::hold(m, i.s[0]);
+            let d: &mut [u32; N] = target(m, i.d);
+            if let Some(words) = elements.run(index, ordered, i.n[1]) {
+                *d = words.read_unaligned();
+            } else if elements.memory.len >= 4 {
+                let offsets = elements.offsets(index);
+                if elements.fit(&offsets, i.n[1], 4) {
+                    let first = elements.memory.ptr.add(i.n[1] as usize);
+                    for lane in 0..N {
+                        d[lane] = first.add(offsets[lane] as usize).cast::<u32>().read_unaligned();
+                    }
+                } else {
+                    for lane in 0..N {
+                        d[lane] = elements.word(offsets[lane], i.n[1]).read_unaligned();
+                    }
+                }
+            } else {
+                d.fill(0);
+            }
+        }
+        at + 1
+    }
+}
+
+impl<const N: usize> Body<N> for LoadFour {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        let (elements, _) = array(m, i);
+        // SAFETY: slots as `Body` promises, of which unused results may share one; words lie in memory.
+        unsafe {
+            let index: &[u32; N] = Each::hold(m, i.s[0]);
+            let offsets = elements.offsets(index);
+            let slots: *mut [u32; N] = Lane::slots(m);
+            let to = [i.d, i.s[1], i.s[2], i.s[3]].map(|slot| slots.add(slot as usize).cast::<u32>());
+            if elements.fit(&offsets, i.n[1], 16) {
+                let first = elements.memory.ptr.add(i.n[1] as usize);
+                for lane in (0..N).step_by(4) {
+                    let from =
+                        std::array::from_fn(|k| first.add(offsets[lane + k] as usize).cast_const().cast());
+                    transpose(from, to.map(|t| t.add(lane).cast()));
+                }
+            } else {
+                for (word, to) in to.into_iter().enumerate() {
+                    for lane in 0..N {
+                        let found = elements.memory.len >= 4;
+                        let place = elements.word(offsets[lane], i.n[1] + 4 * word as u32);
+                        to.add(lane).write(if found { place.read_unaligned() } else { 0 });
+                    }
+                }
+            }
+        }
+        at + 1
+    }
+}
+
+/// Four words from four places: to each target the words of the same rank.
+///
+/// # Safety
+/// All exist.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+unsafe fn transpose(from: [*const [u32; 4]; 4], to: [*mut [u32; 4]; 4]) {
+    use std::arch::x86_64::{
+        _mm_loadu_ps, _mm_movehl_ps, _mm_movelh_ps, _mm_storeu_ps, _mm_unpackhi_ps, _mm_unpacklo_ps,
+    };
+    // SAFETY: as the caller promises; the instructions are those of any x86-64.
+    unsafe {
+        let [a, b, c, d] = from.map(|row| _mm_loadu_ps(row.cast()));
+        let (ab, cd) = (_mm_unpacklo_ps(a, b), _mm_unpacklo_ps(c, d));
+        let (ab_high, cd_high) = (_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d));
+        _mm_storeu_ps(to[0].cast(), _mm_movelh_ps(ab, cd));
+        _mm_storeu_ps(to[1].cast(), _mm_movehl_ps(cd, ab));
+        _mm_storeu_ps(to[2].cast(), _mm_movelh_ps(ab_high, cd_high));
+        _mm_storeu_ps(to[3].cast(), _mm_movehl_ps(cd_high, ab_high));
+    }
+}
+
+/// Four words from four places: to each target the words of the same rank.
+///
+/// # Safety
+/// All exist.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline(always)]
+unsafe fn transpose(from: [*const [u32; 4]; 4], to: [*mut [u32; 4]; 4]) {
+    // SAFETY: as the caller promises.
+    unsafe {
+        let rows = from.map(|row| row.read_unaligned());
+        for (word, to) in to.into_iter().enumerate() {
+            to.write_unaligned(rows.map(|row| row[word]));
+        }
+    }
+}
+
+impl<S: Source, const N: usize> Body<N> for Store<S> {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        let (elements, ordered) = array(m, i);
+        // The first slot is the mask of lanes that exist.
+        let whole = i.s[2] == 0 && m.position.live == N;
+        // SAFETY: slots as `Body` promises; words lie in memory.
+        unsafe {
+            let index: &[u32; N] = Each::hold(m, i.s[0]);
+            let value = S::hold::<u32, N>(m, i.s[1]);
+            let mask: &[u32; N] = Each::hold(m, i.s[2]);
+            let full = whole || mask.iter().fold(u32::MAX, |all, m| all & m) == u32::MAX;
+            if full && let Some(words) = elements.run(index, ordered, i.n[1]) {
+                let mut values = [0; N];
+                for lane in 0..N {
+                    values[lane] = S::get(value, lane);
+                }
+                words.write_unaligned(values);
+            } else if elements.memory.len >= 4 {
+                let offsets = elements.offsets(index);
+                for lane in 0..N {
+                    if mask[lane] != 0 {
+                        elements.word(offsets[lane], i.n[1]).write_unaligned(S::get(value, lane));
+                    }
+                }
+            }
+        }
+        at + 1
+    }
+}
+
+pub(in super::super) fn load_element<const N: usize>(isa: Isa) -> Exec<N> {
+    exec::<Load, N>(isa)
+}
+
+pub(in super::super) fn load_four<const N: usize>(isa: Isa) -> Exec<N> {
+    exec::<LoadFour, N>(isa)
+}
+
+pub(in super::super) fn store_element<const N: usize>(value: bool, isa: Isa) -> Exec<N> {
+    if value { exec::<Store<Each>, N>(isa) } else { exec::<Store<Same>, N>(isa) }
+}
