@@ -11,6 +11,8 @@ mod conformance;
 mod control;
 #[path = "interp/dispatch.rs"]
 mod dispatch;
+#[path = "interp/elements.rs"]
+mod elements;
 #[path = "interp/integers.rs"]
 mod integers;
 #[path = "interp/memory.rs"]
