@@ -94,7 +94,7 @@ fn what_does_not_fit_the_shader_is_named() {
     assert_eq!(run(&["--entry", "other"]).status.code(), Some(0));
     told(&[], "several compute entry points: `main`, `other`; choose one with --entry");
     told(&["--entry", "third"], "no compute entry point `third`; there is `main`, `other`");
-    told(&["--entry", "main", "--input", "in=zeros"], "no buffer `in`; it uses `out` (0:0)");
+    told(&["--entry", "main", "--input", "in=zeros"], "no resource `in`; it uses `out` (0:0)");
     told(&["--entry", "main", "--input", &odd], "a multiple of 4; it has 3");
     told(&["--entry", "main", "--input", &bad], "`out[1]` is a non-negative integer of 32 bits, not -1");
     told(&["--entry", "main", "--input", "out=no-such-file"], "no-such-file: cannot be read");

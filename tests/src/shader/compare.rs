@@ -1,7 +1,7 @@
 //! What a route left in a buffer, against what the interpreter left there.
 
+use super::given::Given;
 use super::number;
-use super::resource::Resource;
 use naga::Scalar;
 
 /// What may stand in the place of a scalar.
@@ -71,28 +71,26 @@ pub struct Compared {
 
 /// Compares a buffer; `permit` says of the scalar at an offset what may stand there.
 pub fn compare(
-    resource: &Resource,
+    given: &Given,
     interp: &[u8],
     found: &[u8],
     permit: impl Fn(usize, Scalar) -> Permit,
 ) -> Compared {
     let mut compared = Compared {
-        buffer: resource.name.clone(),
+        buffer: given.name.clone(),
         standing: Standing::Equal,
         scalars: 0,
         differing: 0,
         max_ulp: 0,
         first: None,
     };
-    resource.shape.visit(interp.len().min(found.len()), &mut |at, scalar, _| {
+    given.shape.visit(interp.len().min(found.len()), &mut |at, scalar, _| {
         compared.scalars += 1;
         let range = at..at + usize::from(scalar.width);
         let (ours, theirs) = (&interp[range.clone()], &found[range]);
         if ours != theirs && !are_nan(scalar, ours, theirs) {
             let permit = permit(at, scalar);
-            compared.note(scalar, ours, theirs, permit, || {
-                format!("{}{}", resource.name, resource.shape.path(at))
-            });
+            compared.note(scalar, ours, theirs, permit, || format!("{}{}", given.name, given.shape.path(at)));
         }
     });
     compared
@@ -132,8 +130,9 @@ fn standing(scalar: Scalar, theirs: &[u8], permit: Permit) -> Standing {
         Permit::Bits => Standing::Beyond,
         Permit::Unknown => Standing::Unjudged,
         Permit::Around { exact, bound } => {
-            let distance = (number::float(scalar.width, theirs) - exact).abs();
-            if bound.is_infinite() || distance <= bound { Standing::Within } else { Standing::Beyond }
+            let found = number::float(scalar.width, theirs);
+            let is_within = bound.is_infinite() || found == exact || (found - exact).abs() <= bound;
+            if is_within { Standing::Within } else { Standing::Beyond }
         }
     }
 }
@@ -151,11 +150,12 @@ mod tests {
     use crate::shader::shape::Shape;
     use lobe_backends::gpu::BindingKind;
 
-    fn floats() -> Resource {
+    fn floats() -> Given {
         let part = Box::new(Shape::Scalar { scalar: Scalar::F32, is_atomic: false });
         let shape = Shape::List { part, count: None, stride: 4, is_vector: false };
         let kind = BindingKind::StorageReadWrite;
-        Resource { name: "out".to_owned(), group: 0, binding: 0, kind, shape, least: 4 }
+        let (name, data) = ("out".to_owned(), Vec::new());
+        Given { name, group: 0, binding: 0, kind, data, shape, is_coded: false }
     }
 
     fn bytes(values: &[f32]) -> Vec<u8> {

@@ -1,9 +1,14 @@
-//! What a buffer holds when the shader starts.
+//! What resources hold when the shader starts.
 
+use super::given::Given;
 use super::json;
 use super::number;
-use super::resource::Resource;
+use super::resource::{Resource, What};
+use super::shape::Shape;
+use super::texture::{self, SamplerWords, Sketch};
 use crate::domain::Rng;
+use lobe_backends::gpu::BindingKind;
+use lobe_backends::texture::TextureShape;
 use naga::{Scalar, ScalarKind};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -23,9 +28,10 @@ const FEWEST: u64 = 64;
 pub enum Feed {
     /// All zero.
     Zeros,
-    /// Drawn: floats uniform in -1..1, unsigned integers in 0..64, signed ones in -32..32; atomics are 0.
+    /// Drawn: floats uniform in -1..1, unsigned integers in 0..64, signed ones in -32..32; atomics are 0; texels that
+    /// are no floats are any bits.
     Random(u64),
-    /// A file: JSON that follows the type (`.json`), or else the bytes themselves.
+    /// A file: JSON that follows the type of a buffer (`.json`), or else the bytes or texels themselves.
     File(PathBuf),
 }
 
@@ -56,36 +62,90 @@ impl std::fmt::Display for Feed {
     }
 }
 
-/// The bytes of `resource`: `size` of them if one is stated, else those of the file, else as many elements as there
-/// are invocations, and at least 64.
+/// What is said of a resource.
+#[derive(Debug, Clone, Copy)]
+pub struct Said<'s> {
+    /// Where its bytes come from.
+    pub feed: &'s Feed,
+    /// Bytes of a buffer.
+    pub size: Option<usize>,
+    /// Shape of a texture.
+    pub texture: Option<&'s Sketch>,
+    /// Words for a sampler.
+    pub sampler: Option<&'s SamplerWords>,
+}
+
+/// What `resource` is given.
+///
+/// A buffer has the stated size, else that of the file, else as many elements as there are invocations, and at least
+/// 64; a texture without a word has 16 texels along each side.
 ///
 /// # Errors
 /// When the file cannot be read or does not follow the type, or the size does not fit.
-pub fn fill(
+pub fn fill(resource: &Resource, said: Said<'_>, invocations: u64) -> Result<Given, String> {
+    let &Resource { ref name, group, binding, .. } = resource;
+    let given = |kind, data, shape, is_coded| {
+        Ok(Given { name: name.clone(), group, binding, kind, data, shape, is_coded })
+    };
+    match &resource.what {
+        What::Sampler { is_comparison } => {
+            let sampler = texture::sampler(said.sampler, *is_comparison);
+            given(BindingKind::Sampler(sampler), Vec::new(), Shape::Struct(Vec::new()), false)
+        }
+        What::Texture { dimension, is_arrayed, class } => {
+            let kind = texture::kind(said.texture, *dimension, *is_arrayed, *class);
+            let (BindingKind::Texture(shape) | BindingKind::StorageTexture(shape, _)) = kind else {
+                return Err(format!("`{name}` is no texture"));
+            };
+            let data = texels(resource, shape, said.feed)?;
+            let (channels, is_coded) = texture::channels(shape);
+            given(kind, data, channels, is_coded)
+        }
+        What::Buffer { kind, shape, least } => {
+            let data = bytes(resource, shape, *least, said, invocations)?;
+            given(*kind, data, shape.clone(), false)
+        }
+    }
+}
+
+fn texels(resource: &Resource, shape: TextureShape, feed: &Feed) -> Result<Vec<u8>, String> {
+    let name = &resource.name;
+    let size = checked(name, shape.bytes())?;
+    let data = match feed {
+        Feed::Zeros => vec![0; size],
+        Feed::Random(seed) => texture::drawn(shape, &mut Rng::new(*seed, &resource.place())),
+        Feed::File(path) => {
+            std::fs::read(path).map_err(|e| format!("{}: cannot be read: {e}", path.display()))?
+        }
+    };
+    shape.check(data.len()).map_err(|e| format!("`{name}`: {e}"))?;
+    Ok(data)
+}
+
+fn bytes(
     resource: &Resource,
-    feed: &Feed,
-    size: Option<usize>,
+    shape: &Shape,
+    least: usize,
+    said: Said<'_>,
     invocations: u64,
 ) -> Result<Vec<u8>, String> {
-    let name = &resource.name;
-    let mut bytes = match feed {
-        Feed::File(path) => read(resource, path)?,
+    let (name, size) = (&resource.name, said.size);
+    let mut bytes = match said.feed {
+        Feed::File(path) => read(name, shape, least, path)?,
         Feed::Zeros | Feed::Random(_) => {
-            vec![0; checked(name, size.unwrap_or_else(|| usual(resource, invocations)))?]
+            vec![0; checked(name, size.unwrap_or_else(|| usual(shape, least, invocations)))?]
         }
     };
     let size = checked(name, size.unwrap_or(bytes.len()))?;
-    let is_file = matches!(feed, Feed::File(_));
-    if size < resource.least || size % 4 != 0 {
-        let least = resource.least;
+    if size < least || size % 4 != 0 {
         return Err(format!("`{name}` needs {least} bytes or more, a multiple of 4; it has {size}"));
     }
-    if is_file && bytes.len() > size {
+    if bytes.len() > size {
         return Err(format!("`{name}`: the file's {} bytes are more than the size of {size}", bytes.len()));
     }
     bytes.resize(size, 0);
-    if let Feed::Random(seed) = feed {
-        draw(resource, *seed, &mut bytes);
+    if let Feed::Random(seed) = said.feed {
+        draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes);
     }
     Ok(bytes)
 }
@@ -98,30 +158,29 @@ fn checked(name: &str, size: usize) -> Result<usize, String> {
 }
 
 /// An element for each invocation, and [`FEWEST`] at least, if the buffer says how many it has.
-fn usual(resource: &Resource, invocations: u64) -> usize {
-    let Some((offset, stride)) = resource.shape.tail() else { return resource.least };
+fn usual(shape: &Shape, least: usize, invocations: u64) -> usize {
+    let Some((offset, stride)) = shape.tail() else { return least };
     let stride = u64::from(stride.max(1));
     let elements = invocations.max(FEWEST).min(UNSTATED as u64 / stride).max(1);
     let size = u64::from(offset) + elements * stride;
-    resource.least.max((size as usize).next_multiple_of(4))
+    least.max((size as usize).next_multiple_of(4))
 }
 
-fn read(resource: &Resource, path: &Path) -> Result<Vec<u8>, String> {
+fn read(name: &str, shape: &Shape, least: usize, path: &Path) -> Result<Vec<u8>, String> {
     let told = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let bytes = std::fs::read(path).map_err(|e| told(&format!("cannot be read: {e}")))?;
     if path.extension().is_none_or(|e| e != "json") {
         return Ok(bytes);
     }
     let value = serde_json::from_slice(&bytes).map_err(|e| told(&e))?;
-    json::bytes(&resource.name, &resource.shape, resource.least, &value).map_err(|e| told(&e))
+    json::bytes(name, shape, least, &value).map_err(|e| told(&e))
 }
 
-fn draw(resource: &Resource, seed: u64, bytes: &mut [u8]) {
-    let mut rng = Rng::new(seed, &resource.place());
+fn draw(shape: &Shape, rng: &mut Rng, bytes: &mut [u8]) {
     let end = bytes.len();
-    resource.shape.visit(end, &mut |at, scalar, is_atomic| {
+    shape.visit(end, &mut |at, scalar, is_atomic| {
         if !is_atomic {
-            let drawn = number(scalar, &mut rng);
+            let drawn = number(scalar, rng);
             bytes[at..at + drawn.len()].copy_from_slice(&drawn);
         }
     });

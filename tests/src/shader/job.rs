@@ -2,6 +2,7 @@
 
 use super::feed::Feed;
 use super::report::Status;
+use super::texture::{SamplerWords, Sketch};
 use std::path::PathBuf;
 
 /// A run of a shader's entry points.
@@ -13,12 +14,18 @@ pub struct Job {
     pub entry: Entry,
     /// Workgroups along each axis.
     pub workgroups: [u32; 3],
-    /// What buffers hold, by name or `group:binding`.
+    /// What buffers and textures hold, by name or `group:binding`.
     pub inputs: Vec<(String, Feed)>,
     /// Where the interpreter's results go.
     pub outputs: Vec<(String, PathBuf)>,
     /// Bytes of buffers.
     pub sizes: Vec<(String, usize)>,
+    /// Shapes of textures.
+    pub textures: Vec<(String, Sketch)>,
+    /// Samplers.
+    pub samplers: Vec<(String, SamplerWords)>,
+    /// Whether to look for mistakes of the program itself.
+    pub sanitize: bool,
     /// Values of pipeline-overridable constants.
     pub overrides: Vec<(String, f64)>,
     /// Routes to compare with; all that are ready when empty.

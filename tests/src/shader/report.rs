@@ -61,13 +61,28 @@ pub struct Report {
     pub workgroup_size: [u32; 3],
     /// Workgroups.
     pub workgroups: [u32; 3],
-    /// What the buffers held.
+    /// What the resources held.
     pub inputs: Vec<Input>,
+    /// Mistakes of the program itself.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<Mistake>,
     /// What came of each route.
     pub routes: Vec<RouteReport>,
 }
 
-/// A buffer before the run.
+/// A mistake of the program, where it showed.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Mistake {
+    /// Its kind, as `OutOfBounds`.
+    pub kind: String,
+    /// Line and column, if the shader is text.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<(u32, u32)>,
+    /// What happened, and to whom.
+    pub message: String,
+}
+
+/// A resource before the run.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Input {
     /// Its name.
@@ -90,7 +105,7 @@ pub struct RouteReport {
     /// Why there is no comparison.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
-    /// Each buffer that the shader may write.
+    /// Each resource that the shader may write.
     pub buffers: Vec<Compared>,
 }
 
@@ -179,6 +194,7 @@ impl Report {
             workgroup_size: [0; 3],
             workgroups: [0; 3],
             inputs: Vec::new(),
+            findings: Vec::new(),
             routes: Vec::new(),
         }
     }

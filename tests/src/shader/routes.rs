@@ -1,9 +1,8 @@
 //! The GPU routes of a shader: what each is given, and what it leaves.
 
+use super::given::Given;
 use super::report::RouteStatus;
-use super::resource::Resource;
-use lobe_backends::gpu::{Binding, Gpu, GpuError, Job, Shader};
-use lobe_backends::interp::Buffer;
+use lobe_backends::gpu::{Binding, BindingKind, Gpu, GpuError, Job, Shader};
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
 use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
@@ -60,8 +59,8 @@ pub struct Subject<'s> {
     pub workgroup_size: [u32; 3],
     /// Workgroups.
     pub workgroups: [u32; 3],
-    /// The buffers that it uses.
-    pub resources: &'s [Resource],
+    /// What it uses.
+    pub given: &'s [Given],
 }
 
 /// Why a route has no results.
@@ -78,13 +77,19 @@ pub struct Failure {
 pub struct Routes {
     machine: Machine,
     opened: HashMap<String, Gpu>,
+    subgroups: HashMap<String, Option<u32>>,
 }
+
+/// Tells the size of a subgroup.
+const PROBE: &str = "
+    @group(0) @binding(0) var<storage, read_write> size: u32;
+    @compute @workgroup_size(64) fn main(@builtin(subgroup_size) n: u32) { size = n; }";
 
 impl Routes {
     /// Looks for drivers and translators.
     #[must_use]
     pub fn look() -> Self {
-        Self { machine: Machine::look(), opened: HashMap::new() }
+        Self { machine: Machine::look(), opened: HashMap::new(), subgroups: HashMap::new() }
     }
 
     /// The routes that a shader in `language` can take here.
@@ -111,8 +116,7 @@ impl Routes {
         }
     }
 
-    /// Runs `subject` by `route`, each of its resources with the buffer of the same place, and gives back what then
-    /// lies in those that it may write.
+    /// Runs `subject` by `route` and gives back what then lies in those resources that it may write.
     ///
     /// # Errors
     /// When the route does not take the shader, or does not survive it.
@@ -120,7 +124,6 @@ impl Routes {
         &mut self,
         route: &ShaderRoute,
         subject: &Subject<'_>,
-        buffers: &[Buffer],
         timeout: Duration,
     ) -> Result<Vec<Vec<u8>>, Failure> {
         let plain = self.written(route, subject)?;
@@ -128,12 +131,7 @@ impl Routes {
             Content::Text(text) => Shader::Wgsl(text),
             Content::Words(words) => Shader::Spirv(words),
         };
-        let bindings: Vec<Binding<'_>> = subject
-            .resources
-            .iter()
-            .zip(buffers)
-            .map(|(r, b)| Binding { group: r.group, binding: r.binding, kind: r.kind, data: &b.data })
-            .collect();
+        let bindings: Vec<Binding<'_>> = subject.given.iter().map(Given::lend).collect();
         let gpu = self.open(route)?;
         gpu.set_timeout(timeout);
         let job = Job {
@@ -144,6 +142,29 @@ impl Routes {
             bindings: &bindings,
         };
         gpu.run(&job).map_err(|e| Failure::of_gpu(&e))
+    }
+
+    /// Invocations of a subgroup on the route's driver; `None` if it has no subgroups.
+    pub fn subgroup(&mut self, route: &ShaderRoute) -> Option<u32> {
+        if let Some(known) = self.subgroups.get(&route.driver) {
+            return *known;
+        }
+        let size = self.open(route).ok().and_then(|gpu| {
+            let kind = BindingKind::StorageReadWrite;
+            let bindings = [Binding { group: 0, binding: 0, kind, data: &[0; 4] }];
+            let shader = Shader::Wgsl(PROBE);
+            let job = Job {
+                shader,
+                entry: "main",
+                workgroup_size: [64, 1, 1],
+                groups: [1; 3],
+                bindings: &bindings,
+            };
+            let found = gpu.run(&job).ok()?;
+            found.first()?.first_chunk().map(|bytes| u32::from_le_bytes(*bytes))
+        });
+        self.subgroups.insert(route.driver.clone(), size);
+        size
     }
 
     fn open(&mut self, route: &ShaderRoute) -> Result<&mut Gpu, Failure> {

@@ -2,6 +2,7 @@
 
 use lobe_tests::shader::feed::Feed;
 use lobe_tests::shader::job::{Entry, Job};
+use lobe_tests::shader::texture::{SamplerWords, Sketch};
 use std::path::PathBuf;
 
 /// Rounds of loops, unless said otherwise.
@@ -21,7 +22,7 @@ pub(super) struct JobArgs {
     /// Workgroups along each axis [default: 1,1,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
     workgroups: Option<[u32; 3]>,
-    /// What a buffer holds: NAME (or GROUP:BINDING) = FILE, zeros or random:SEED
+    /// What a buffer or texture holds: NAME (or GROUP:BINDING) = FILE, zeros or random:SEED
     #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED", value_parser = named::<Feed>)]
     inputs: Vec<(String, Feed)>,
     /// Write what the interpreter leaves in a buffer to FILE, as bytes or as .json
@@ -30,6 +31,15 @@ pub(super) struct JobArgs {
     /// Length of a buffer
     #[arg(long = "size", value_name = "NAME=BYTES", value_parser = named::<usize>)]
     sizes: Vec<(String, usize)>,
+    /// Shape of a texture [default: 16 texels along each side]
+    #[arg(long = "texture", value_name = "NAME=FORMAT:WxHxD[:LAYERS[:LEVELS]]", value_parser = named::<Sketch>)]
+    textures: Vec<(String, Sketch)>,
+    /// Words for a sampler: linear, mip-linear, repeat, mirror, less, .., lod:LOW:HIGH [default: nearest]
+    #[arg(long = "sampler", value_name = "NAME=WORD,..", value_parser = named::<SamplerWords>)]
+    samplers: Vec<(String, SamplerWords)>,
+    /// Look for mistakes of the program itself: out of bounds, races, division by zero, ..
+    #[arg(long)]
+    sanitize: bool,
     /// Value of a pipeline-overridable constant, by name or @id
     #[arg(long = "override", value_name = "NAME=VALUE", value_parser = named::<f64>)]
     overrides: Vec<(String, f64)>,
@@ -54,6 +64,9 @@ impl JobArgs {
             inputs: self.inputs.clone(),
             outputs: self.outputs.clone(),
             sizes: self.sizes.clone(),
+            textures: self.textures.clone(),
+            samplers: self.samplers.clone(),
+            sanitize: self.sanitize,
             overrides: self.overrides.clone(),
             routes: self.routes.clone(),
             fuel: self.fuel.unwrap_or(FUEL),
@@ -71,6 +84,9 @@ impl JobArgs {
             inputs: [common.inputs.clone(), self.inputs].concat(),
             outputs: [common.outputs.clone(), self.outputs].concat(),
             sizes: [common.sizes.clone(), self.sizes].concat(),
+            textures: [common.textures.clone(), self.textures].concat(),
+            samplers: [common.samplers.clone(), self.samplers].concat(),
+            sanitize: self.sanitize || common.sanitize,
             overrides: [common.overrides.clone(), self.overrides].concat(),
             routes: if self.routes.is_empty() { common.routes.clone() } else { self.routes },
             fuel: self.fuel.or(common.fuel),

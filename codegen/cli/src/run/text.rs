@@ -2,7 +2,7 @@
 
 use crate::output::ListFormat;
 use lobe_tests::shader::compare::Compared;
-use lobe_tests::shader::report::{Report, RouteReport, Status};
+use lobe_tests::shader::report::{Mistake, Report, RouteReport, Status};
 use serde_json::json;
 use std::collections::BTreeMap;
 
@@ -16,6 +16,9 @@ pub(super) fn line(report: &Report) -> String {
     let mut text = format!("{:8} {}", report.status.name(), subject(report));
     if let Some(message) = &report.message {
         text += &format!(": {}", brief(message));
+    }
+    if let Some(first) = report.findings.first() {
+        text += &format!("; {} findings, {}", report.findings.len(), mistake(first));
     }
     for found in report.routes.iter().filter(|r| r.message.is_some() || r.buffers.iter().any(is_worth)) {
         let why = found.message.as_deref().map(brief).unwrap_or_default();
@@ -57,6 +60,7 @@ pub(super) fn whole(report: &Report) -> String {
         text += &format!("  input  {} ({}) {} bytes, {}\n", input.name, input.place, input.bytes, input.from);
     }
     report.routes.iter().for_each(|route| text += &one(route));
+    report.findings.iter().for_each(|found| text += &format!("  {}\n", mistake(found)));
     if report.routes.is_empty() && report.message.is_none() {
         text += "  it ran on interp and was compared with no other route\n";
     }
@@ -80,6 +84,11 @@ fn one(route: &RouteReport) -> String {
         text += &format!("\n    {}", buffer(found));
     }
     text + "\n"
+}
+
+fn mistake(found: &Mistake) -> String {
+    let at = found.at.map(|(line, column)| format!(" at {line}:{column}")).unwrap_or_default();
+    format!("finding {}{at}: {}", found.kind, found.message)
 }
 
 /// Whether a line has something to say about a buffer.

@@ -1,0 +1,265 @@
+//! One entry point: given its resources, run everywhere, compared.
+
+use super::compare::{Compared, compare};
+use super::feed::{self, Feed, Said};
+use super::given::{Given, Owned};
+use super::job::{GivenUp, Job};
+use super::json;
+use super::machine::{self, Bounds, Machine};
+use super::report::{Input, Report, RouteReport, RouteStatus, Status};
+use super::resource::{self, Resource};
+use super::routes::{Routes, ShaderRoute, Subject};
+use super::run::{Res, Steps, Stop, stop};
+use lobe_backends::gpu::BindingKind;
+use lobe_codegen::ValidModule;
+use lobe_codegen::foreign::{self, Override, Source};
+use std::time::Duration;
+
+/// What a resource holds of which nothing is said.
+const USUAL: Feed = Feed::Random(0);
+
+/// Most invocations of a run.
+const INVOCATIONS: u64 = 1 << 36;
+
+/// An entry point under way.
+pub(super) struct Trial<'t, 's> {
+    steps: &'t mut Steps<'s>,
+    routes: &'t mut Routes,
+    report: Report,
+}
+
+/// What the interpreter leaves with subgroups of one size, and what drivers may leave, once that was asked.
+struct Reference {
+    subgroup: Option<u32>,
+    ours: Owned,
+    bounds: Option<Option<Bounds>>,
+}
+
+impl<'t, 's> Trial<'t, 's> {
+    /// Runs `entry` of `module` by all routes of the job.
+    pub(super) fn report(
+        steps: &'t mut Steps<'s>,
+        routes: &'t mut Routes,
+        source: &Source,
+        module: &ValidModule,
+        entry: &str,
+    ) -> Report {
+        let mut report = Report::of(steps.file(), Some(entry.to_owned()), Status::Ok, String::new());
+        report.message = None;
+        report.workgroups = steps.job.workgroups;
+        let mut trial = Self { steps, routes, report };
+        if let Err(Stop { status, message }) = trial.judge(source, module, entry) {
+            trial.report.status = trial.report.status.max(status);
+            trial.report.message = Some(message);
+        }
+        trial.report
+    }
+
+    fn judge(&mut self, source: &Source, module: &ValidModule, entry: &str) -> Res<()> {
+        self.steps.begin(Some(entry), "interp")?;
+        let job = self.steps.job;
+        let overrides: Vec<Override> = job
+            .overrides
+            .iter()
+            .map(|(name, value)| Override { name: name.clone(), value: *value })
+            .collect();
+        let isolated = foreign::isolate(source, module, entry, &overrides)?;
+        let points = &isolated.module().entry_points;
+        let index = points.iter().position(|p| p.name == entry && p.stage == naga::ShaderStage::Compute);
+        let Some(index) = index else { return stop(Status::Refused, "the entry point was lost") };
+        let resources = resource::of(&isolated, index)
+            .or_else(|what| stop(Status::Refused, format!("unsupported: {what}")))?;
+        self.report.workgroup_size = points[index].workgroup_size;
+        let given = self.fill(&resources)?;
+        let (workgroups, fuel) = (job.workgroups, job.fuel);
+        let machine = Machine { module: &isolated, entry: index, workgroups, fuel, given: &given };
+        let ours = machine.run(None)?;
+        write(job, &given, &ours)?;
+        let subject = Subject {
+            source,
+            module: &isolated,
+            entry,
+            is_as_written: module.module().overrides.is_empty(),
+            workgroup_size: self.report.workgroup_size,
+            workgroups,
+            given: &given,
+        };
+        let mut references = vec![Reference { subgroup: None, ours, bounds: None }];
+        for route in self.wanted(&subject)? {
+            let outcome = self.drive(&route, &subject);
+            let found = match outcome {
+                Ok(found) => self.compare(&route, &subject, machine, &mut references, &found)?,
+                Err(why) => why,
+            };
+            self.report.add(found);
+        }
+        self.sanitize(&subject, machine)
+    }
+
+    /// What is given for each resource.
+    fn fill(&mut self, resources: &[Resource]) -> Res<Vec<Given>> {
+        let job = self.steps.job;
+        names(job).try_for_each(|name| known(resources, name))?;
+        let volume = |sides: [u32; 3]| sides.iter().map(|n| u64::from(*n)).fold(1, u64::saturating_mul);
+        let invocations = volume(self.report.workgroup_size).saturating_mul(volume(job.workgroups));
+        if invocations > INVOCATIONS {
+            return stop(Status::Error, format!("{invocations} invocations are more than {INVOCATIONS}"));
+        }
+        let mut all = Vec::new();
+        for resource in resources {
+            let feed = last(&job.inputs, resource).unwrap_or(&USUAL);
+            let said = Said {
+                feed,
+                size: last(&job.sizes, resource).copied(),
+                texture: last(&job.textures, resource),
+                sampler: last(&job.samplers, resource),
+            };
+            let given = feed::fill(resource, said, invocations).or_else(|e| stop(Status::Error, e))?;
+            self.report.inputs.push(Input {
+                name: resource.name.clone(),
+                place: resource.place(),
+                bytes: given.data.len(),
+                from: described(&given, feed),
+            });
+            all.push(given);
+        }
+        Ok(all)
+    }
+
+    fn wanted(&self, subject: &Subject<'_>) -> Res<Vec<ShaderRoute>> {
+        let job = self.steps.job;
+        if job.routes.is_empty() {
+            return Ok(self.routes.ready(subject.source.language));
+        }
+        let named = job.routes.iter().filter(|r| *r != "interp");
+        named.map(|r| r.parse().or_else(|e: String| stop(Status::Error, e))).collect()
+    }
+
+    /// What `route` leaves, or why it leaves nothing.
+    fn drive(&mut self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<Vec<Vec<u8>>, RouteReport> {
+        let name = route.to_string();
+        let without = |status, message| Err(RouteReport::without(&name, status, message));
+        if let Err(GivenUp { status, message, .. }) = self.steps.begin(Some(subject.entry), &name) {
+            let is_late = status == Status::Timeout;
+            return without(if is_late { RouteStatus::Timeout } else { RouteStatus::Crashed }, message);
+        }
+        // Who watches over this process ends the step before its driver is given up here.
+        let timeout = Duration::from_secs(self.steps.job.timeout.saturating_mul(2));
+        match lobe_codegen::quietly(|| self.routes.run(route, subject, timeout)) {
+            Ok(Ok(found)) => Ok(found),
+            Ok(Err(failure)) => without(failure.status, failure.message),
+            Err(message) => without(RouteStatus::Crashed, format!("panicked: {message}")),
+        }
+    }
+
+    /// Compares what a route left with the interpreter, by bounds where bits are not the same.
+    fn compare(
+        &mut self,
+        route: &ShaderRoute,
+        subject: &Subject<'_>,
+        machine: Machine<'_>,
+        references: &mut Vec<Reference>,
+        found: &[Vec<u8>],
+    ) -> Res<RouteReport> {
+        let subgroup =
+            if machine::uses_subgroups(subject.module) { self.routes.subgroup(route) } else { None };
+        let known = references.iter().position(|r| r.subgroup == subgroup);
+        let at = known.unwrap_or(references.len());
+        if known.is_none() {
+            references.push(Reference { subgroup, ours: machine.run(subgroup)?, bounds: None });
+        }
+        let reference = &mut references[at];
+        let compared = compare_all(subject.given, reference, found);
+        if reference.bounds.is_none() && compared.iter().any(|c| c.differing > 0) {
+            let begun = self.steps.begin(Some(subject.entry), "bounds");
+            reference.bounds = Some(begun.ok().and_then(|()| machine.bounds(subgroup).ok()));
+            let compared = compare_all(subject.given, reference, found);
+            return Ok(RouteReport::compared(&route.to_string(), compared));
+        }
+        Ok(RouteReport::compared(&route.to_string(), compared))
+    }
+
+    /// Looks for mistakes of the program, if that is wanted, or if they may be why results differ.
+    fn sanitize(&mut self, subject: &Subject<'_>, machine: Machine<'_>) -> Res<()> {
+        let (is_wanted, differs) = (self.steps.job.sanitize, self.report.status == Status::Differs);
+        if !is_wanted && !differs {
+            return Ok(());
+        }
+        let begun = self.steps.begin(Some(subject.entry), "sanitize");
+        let found = begun.map_err(Stop::from).and_then(|()| Ok(machine.mistakes(subject.source.text())?));
+        match found {
+            Ok(found) => self.report.findings = found,
+            // Nobody asked, and the difference stands for itself.
+            Err(_) if !is_wanted => {}
+            Err(stop) => return Err(stop),
+        }
+        let explains = |kind: &str| ["OutOfBounds", "Race", "NonUniformBarrier"].contains(&kind);
+        let is_program = self.report.findings.iter().any(|f| explains(&f.kind));
+        if differs && is_program {
+            self.report.status = Status::Findings;
+            self.report.message = Some("routes differ, and the program's mistakes permit it".to_owned());
+        } else if is_wanted && !self.report.findings.is_empty() {
+            self.report.status = self.report.status.max(Status::Findings);
+        }
+        Ok(())
+    }
+}
+
+/// Every resource that the shader may write, by the bounds if they are known.
+fn compare_all(given: &[Given], reference: &Reference, found: &[Vec<u8>]) -> Vec<Compared> {
+    let bounds = reference.bounds.as_ref().and_then(Option::as_ref);
+    let written = given.iter().filter(|g| g.is_written()).zip(found);
+    let compared = written.map(|(given, theirs)| {
+        let permit = |at, scalar| machine::permit(bounds, given, at, scalar);
+        compare(given, reference.ours.bytes(given), theirs, permit)
+    });
+    compared.collect()
+}
+
+/// Every name of a resource in the job.
+fn names(job: &Job) -> impl Iterator<Item = &String> {
+    let bytes = job.inputs.iter().map(|i| &i.0).chain(job.sizes.iter().map(|s| &s.0));
+    let shapes = job.textures.iter().map(|t| &t.0).chain(job.samplers.iter().map(|s| &s.0));
+    bytes.chain(shapes).chain(job.outputs.iter().map(|o| &o.0))
+}
+
+/// The last of `list` that means `resource`: what comes later on a command line wins.
+fn last<'l, T>(list: &'l [(String, T)], resource: &Resource) -> Option<&'l T> {
+    list.iter().rev().find(|(name, _)| resource.is_called(name)).map(|(_, value)| value)
+}
+
+fn known(resources: &[Resource], name: &str) -> Res<()> {
+    if resources.iter().any(|r| r.is_called(name)) {
+        return Ok(());
+    }
+    let names: Vec<String> = resources.iter().map(|r| format!("`{}` ({})", r.name, r.place())).collect();
+    let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+    stop(Status::Error, format!("the entry point uses no resource `{name}`; it uses {names}"))
+}
+
+/// Where the bytes of a resource came from, and what it is if it is no buffer.
+fn described(given: &Given, feed: &Feed) -> String {
+    match given.kind {
+        BindingKind::Texture(shape) | BindingKind::StorageTexture(shape, _) => {
+            format!("{feed}, a texture of {shape}")
+        }
+        BindingKind::Sampler(sampler) => format!("{sampler:?}"),
+        BindingKind::Uniform | BindingKind::StorageRead | BindingKind::StorageReadWrite => feed.to_string(),
+    }
+}
+
+/// Writes the interpreter's results where they are asked for.
+fn write(job: &Job, given: &[Given], ours: &Owned) -> Res<()> {
+    for (name, path) in &job.outputs {
+        let is_meant = |g: &&Given| g.name == *name || format!("{}:{}", g.group, g.binding) == *name;
+        let Some(given) = given.iter().find(is_meant) else { continue };
+        let bytes = ours.bytes(given);
+        let bytes = match path.extension() {
+            Some(e) if e == "json" => format!("{}\n", json::value(&given.shape, bytes)).into_bytes(),
+            _ => bytes.to_vec(),
+        };
+        let told = |e| stop(Status::Error, format!("{}: cannot be written: {e}", path.display()));
+        std::fs::write(path, bytes).or_else(told)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,101 @@
+//! What a resource holds, for every executor.
+
+use super::shape::Shape;
+use lobe_backends::gpu::{Access, Binding, BindingKind};
+use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, Resources};
+use lobe_backends::texture::{Texture, TextureError};
+
+/// A resource with its bytes.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// The resource's name.
+    pub name: String,
+    /// Bind group.
+    pub group: u32,
+    /// Binding within the group.
+    pub binding: u32,
+    /// What the shader does with it.
+    pub kind: BindingKind,
+    /// Its bytes or texels; none of a sampler.
+    pub data: Vec<u8>,
+    /// The scalars in them.
+    pub shape: Shape,
+    /// Whether the scalars are codes of numbers, as texels have them, which executors may round either way.
+    pub is_coded: bool,
+}
+
+impl Given {
+    /// Whether the shader may write it.
+    #[must_use]
+    pub fn is_written(&self) -> bool {
+        match self.kind {
+            BindingKind::StorageReadWrite => true,
+            BindingKind::StorageTexture(_, access) => access != Access::Read,
+            BindingKind::Uniform
+            | BindingKind::StorageRead
+            | BindingKind::Texture(_)
+            | BindingKind::Sampler(_) => false,
+        }
+    }
+
+    /// The same for a driver.
+    #[must_use]
+    pub fn lend(&self) -> Binding<'_> {
+        Binding { group: self.group, binding: self.binding, kind: self.kind, data: &self.data }
+    }
+}
+
+/// Resources for the interpreter, which updates them in place.
+#[derive(Debug, Default)]
+pub struct Owned {
+    /// Buffers.
+    pub buffers: Vec<Buffer>,
+    textures: Vec<BoundTexture>,
+    samplers: Vec<BoundSampler>,
+}
+
+impl Owned {
+    /// Copies of what is given.
+    ///
+    /// # Errors
+    /// When there is no such texture.
+    pub fn of(given: &[Given]) -> Result<Self, TextureError> {
+        let mut owned = Self::default();
+        for &Given { group, binding, kind, ref data, .. } in given {
+            match kind {
+                BindingKind::Texture(shape) | BindingKind::StorageTexture(shape, _) => {
+                    let texture = Texture::new(shape, data.clone())?;
+                    owned.textures.push(BoundTexture { group, binding, texture });
+                }
+                BindingKind::Sampler(sampler) => {
+                    owned.samplers.push(BoundSampler { group, binding, sampler });
+                }
+                BindingKind::Uniform | BindingKind::StorageRead | BindingKind::StorageReadWrite => {
+                    owned.buffers.push(Buffer { group, binding, data: data.clone() });
+                }
+            }
+        }
+        Ok(owned)
+    }
+
+    /// All of them, to run with.
+    pub fn lend(&mut self) -> Resources<'_> {
+        Resources { buffers: &mut self.buffers, textures: &mut self.textures, samplers: &self.samplers }
+    }
+
+    /// Whether there is nothing but buffers.
+    #[must_use]
+    pub fn is_buffers_only(&self) -> bool {
+        self.textures.is_empty() && self.samplers.is_empty()
+    }
+
+    /// What now lies at the place of `given`.
+    #[must_use]
+    pub fn bytes(&self, given: &Given) -> &[u8] {
+        let place = (given.group, given.binding);
+        let buffer = self.buffers.iter().find(|b| (b.group, b.binding) == place).map(|b| b.data.as_slice());
+        let textures = &self.textures;
+        let texture = || textures.iter().find(|t| (t.group, t.binding) == place).map(|t| t.texture.bytes());
+        buffer.or_else(texture).unwrap_or_default()
+    }
+}

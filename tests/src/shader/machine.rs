@@ -1,0 +1,139 @@
+//! The interpreter's part: results, what drivers may return instead, and mistakes of the program.
+
+use super::compare::Permit;
+use super::given::{Given, Owned};
+use super::number;
+use super::report::Mistake;
+use lobe_backends::interp::{Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowWord};
+use lobe_codegen::ValidModule;
+use naga::Scalar;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+/// One entry point on the interpreter.
+#[derive(Debug, Clone, Copy)]
+pub struct Machine<'m> {
+    /// Its module.
+    pub module: &'m ValidModule,
+    /// Its place among the entry points.
+    pub entry: usize,
+    /// Workgroups.
+    pub workgroups: [u32; 3],
+    /// Rounds of loops that a batch may run.
+    pub fuel: u64,
+    /// What it is given.
+    pub given: &'m [Given],
+}
+
+/// Why the interpreter has no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum MachineError {
+    /// It gave up.
+    #[error(transparent)]
+    Interp(#[from] InterpError),
+    /// A texture that is none.
+    #[error(transparent)]
+    Texture(#[from] lobe_backends::texture::TextureError),
+    /// It panicked.
+    #[error("the interpreter panicked: {0}")]
+    Panicked(String),
+}
+
+impl Machine<'_> {
+    /// What is left of the resources, with so many invocations in a subgroup.
+    ///
+    /// # Errors
+    /// When the interpreter gives up or panics.
+    pub fn run(&self, subgroup: Option<u32>) -> Result<Owned, MachineError> {
+        let mut owned = Owned::of(self.given)?;
+        self.guarded(subgroup, |machine| machine.run(self.entry, self.workgroups, owned.lend()))?;
+        Ok(owned)
+    }
+
+    /// What permitted drivers may leave in the buffers.
+    ///
+    /// # Errors
+    /// When the interpreter gives up or panics.
+    pub fn bounds(&self, subgroup: Option<u32>) -> Result<Bounds, MachineError> {
+        let owned = Owned::of(self.given)?;
+        if !owned.is_buffers_only() {
+            let what = "bounds where textures are used".to_owned();
+            return Err(InterpError::Unsupported { what, function: String::new() }.into());
+        }
+        self.guarded(subgroup, |machine| machine.shadow_run(self.entry, self.workgroups, &owned.buffers))
+            .map(Bounds)
+    }
+
+    /// Mistakes of the program; their places are those of `text`.
+    ///
+    /// # Errors
+    /// When the interpreter gives up or panics.
+    pub fn mistakes(&self, text: Option<&str>) -> Result<Vec<Mistake>, MachineError> {
+        let mut owned = Owned::of(self.given)?;
+        let checks = Checks::default();
+        let found = self.guarded(None, |machine| {
+            machine.sanitize(self.entry, self.workgroups, &mut owned.buffers, checks)
+        })?;
+        let mistake = |finding: lobe_backends::interp::Finding| {
+            let who = match finding.invocation {
+                Invocation::Row(row) => format!("row {row}"),
+                Invocation::Global { group, local } => {
+                    let shown = |at: [u32; 3]| at.map(|n| n.to_string()).join(",");
+                    format!("invocation {} of workgroup {}", shown(local), shown(group))
+                }
+            };
+            Mistake {
+                kind: format!("{:?}", finding.kind),
+                at: text.and_then(|text| finding.line(text)),
+                message: format!("{} ({who})", finding.message),
+            }
+        };
+        Ok(found.into_iter().map(mistake).collect())
+    }
+
+    fn guarded<T>(
+        &self,
+        subgroup: Option<u32>,
+        work: impl FnOnce(Interpreter<'_>) -> Result<T, InterpError>,
+    ) -> Result<T, MachineError> {
+        let outcome = lobe_codegen::quietly(|| {
+            let machine = Interpreter::new(self.module)?.with_fuel(self.fuel);
+            work(subgroup.map_or_else(|| machine.clone(), |n| machine.clone().with_subgroup_size(n)))
+        });
+        Ok(outcome.map_err(MachineError::Panicked)??)
+    }
+}
+
+/// Whether the size of subgroups can show: the validator has to allow them.
+#[must_use]
+pub fn uses_subgroups(module: &ValidModule) -> bool {
+    let without = Capabilities::all() - Capabilities::SUBGROUP - Capabilities::SUBGROUP_BARRIER;
+    let validated = || Validator::new(ValidationFlags::all(), without).validate(module.module()).is_err();
+    lobe_codegen::quietly(validated).unwrap_or(true)
+}
+
+/// What permitted drivers may leave.
+#[derive(Debug)]
+pub struct Bounds(Vec<ShadowBuffer>);
+
+impl Bounds {
+    fn permit(&self, given: &Given, at: usize, scalar: Scalar) -> Option<Permit> {
+        let place = (given.group, given.binding);
+        let buffer = self.0.iter().find(|b| (b.group, b.binding) == place)?;
+        let word = buffer.words.get(at / 4).filter(|_| scalar.width == 4)?;
+        Some(match *word {
+            ShadowWord::Float { exact, bound, .. } if number::is_float(scalar) => {
+                Permit::Around { exact, bound }
+            }
+            ShadowWord::Word { known: true, .. } => Permit::Bits,
+            ShadowWord::Float { .. } | ShadowWord::Word { .. } => Permit::Unknown,
+        })
+    }
+}
+
+/// What may stand at a place of a resource: integers have one value unless the bounds say otherwise.
+#[must_use]
+pub fn permit(bounds: Option<&Bounds>, given: &Given, at: usize, scalar: Scalar) -> Permit {
+    let known = bounds.and_then(|b| b.permit(given, at, scalar));
+    let plain = if given.is_coded || number::is_float(scalar) { Permit::Unknown } else { Permit::Bits };
+    known.unwrap_or(plain)
+}
