@@ -2,11 +2,10 @@
 #![allow(unsafe_code, reason = "slots are reached by pointers, so that results and operands are known apart")]
 
 use super::super::program::Program;
-use super::memory::{self, Array};
+use super::memory::{self, Ahead, Array};
 use super::together::{BoundImage, Calls, Operand};
 use super::{Code, Stop};
 use crate::texture::Sampler;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// The lanes of a slot, where vector loads like them.
@@ -47,8 +46,8 @@ pub(crate) struct Machine<const N: usize> {
     pub(super) samplers: Vec<Sampler>,
     pub(super) calls: Arc<Calls>,
     pub(super) arrays: Arc<[Array]>,
-    /// Bytes that the next batch is going to load, of which a line is asked for at each step.
-    ahead: Range<*const u8>,
+    /// What the next batch needs, asked for while this one runs.
+    pub(super) ahead: Ahead,
     pub(super) columns: Vec<*const u32>,
     pub(super) position: Position,
     /// Rounds of loops left.
@@ -67,7 +66,7 @@ impl<const N: usize> Machine<N> {
             samplers: Vec::new(),
             calls: Arc::clone(&code.calls),
             arrays: code.arrays.clone(),
-            ahead: std::ptr::null()..std::ptr::null(),
+            ahead: Ahead::NOTHING,
             columns: Vec::new(),
             position: Position::default(),
             fuel,
@@ -79,28 +78,12 @@ impl<const N: usize> Machine<N> {
     pub(super) fn place(&mut self, position: Position) {
         let same = self.position.live == position.live;
         self.position = position;
-        self.ahead = memory::next_batch(self);
+        self.ahead = memory::ahead(self);
         if same {
             return;
         }
         for (lane, mask) in self.narrow[0].0.iter_mut().enumerate() {
             *mask = if lane < position.live { u32::MAX } else { 0 };
-        }
-    }
-
-    /// Asks for a line of what the next batch needs: spread over the steps, memory answers while they compute.
-    #[inline(always)]
-    pub(super) fn fetch_ahead(&mut self) {
-        const LINE: usize = 64;
-        if self.ahead.start < self.ahead.end {
-            #[cfg(target_arch = "x86_64")]
-            // SAFETY: a hint, whatever the address is; any x86-64 has it.
-            unsafe {
-                std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(
-                    self.ahead.start.cast(),
-                );
-            }
-            self.ahead.start = self.ahead.start.wrapping_add(LINE);
         }
     }
 

@@ -3,6 +3,7 @@
 //! Whatever an address is, it is clamped to its memory here, so that no program can leave it.
 
 mod address;
+mod ahead;
 mod atomic;
 mod atomics;
 mod buffer;
@@ -12,10 +13,11 @@ mod lane;
 mod narrow;
 
 pub(super) use address::{index, length};
+pub(super) use ahead::{Ahead, ahead};
 pub(super) use atomic::atomic;
 pub(super) use atomics::number;
 pub(super) use buffer::{load, load_word, load_words, store};
-pub(super) use element::{Array, load_element, load_four, next_batch, store_element};
+pub(super) use element::{Array, load_element, load_four, store_element};
 pub(super) use input::{input, provide, provide_same};
 pub(super) use lane::{lane_load, lane_store};
 

@@ -88,7 +88,7 @@ impl<const N: usize> Code<N> {
         machine.stop = Stop::Done;
         let mut at = at;
         while let Some(inst) = self.insts.get(at) {
-            machine.fetch_ahead();
+            machine.ahead.step();
             // SAFETY: `link` made the step: its slots and cells are those of a machine of this code, no result
             // shares a slot with an operand, and the instruction set is one that `Isa` found.
             at = unsafe { (inst.run)(machine, inst, at) };

@@ -10,7 +10,6 @@ use super::super::machine::{Bound, Lane, Machine};
 use super::super::shape::{Body, Each, Exec, Same, Source, exec, target};
 use super::super::{Inst, Isa};
 use std::marker::PhantomData;
-use std::ops::Range;
 
 /// The elements that a step chooses from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,15 +30,15 @@ struct Store<S>(PhantomData<S>);
 
 /// An array in memory.
 #[derive(Clone, Copy)]
-struct Elements {
-    memory: Bound,
-    count: u32,
-    stride: u32,
+pub(super) struct Elements {
+    pub(super) memory: Bound,
+    pub(super) count: u32,
+    pub(super) stride: u32,
 }
 
 impl Elements {
     #[inline(always)]
-    fn of<const N: usize>(m: &Machine<N>, array: Array) -> Self {
+    pub(super) fn of<const N: usize>(m: &Machine<N>, array: Array) -> Self {
         let memory = m.buffers[array.buffer as usize];
         let count = match array.count {
             Count::Fixed(count) => count,
@@ -49,14 +48,6 @@ impl Elements {
             }
         };
         Self { memory, count, stride: array.stride }
-    }
-
-    /// The bytes of some elements, as far as they exist.
-    fn bytes(self, elements: Range<usize>) -> Range<*const u8> {
-        let end = (self.count as usize * self.stride as usize).min(self.memory.len);
-        let address =
-            |at: usize| self.memory.ptr.wrapping_add(end.min(at * self.stride as usize)).cast_const();
-        address(elements.start)..address(elements.end)
     }
 
     /// Offsets of the lanes' elements.
@@ -109,18 +100,6 @@ fn consecutive<const N: usize>(index: &[u32; N]) -> bool {
 fn array<const N: usize>(m: &Machine<N>, i: &Inst<N>) -> (Elements, bool) {
     let array = m.arrays[i.n[0] as usize];
     (Elements::of(m, array), array.by_number && m.position.line)
-}
-
-/// The bytes of the largest elements that the batch after this one uses by number; small ones the processor foresees.
-pub(in super::super) fn next_batch<const N: usize>(m: &Machine<N>) -> Range<*const u8> {
-    let large = |array: &&Array| array.by_number && array.stride >= 16;
-    match m.arrays.iter().filter(large).max_by_key(|array| array.stride) {
-        Some(array) if m.position.line => {
-            let first = m.position.first + N;
-            Elements::of(m, *array).bytes(first..first + N)
-        }
-        Some(_) | None => std::ptr::null()..std::ptr::null(),
-    }
 }
 
 impl<const N: usize> Body<N> for Load {
@@ -235,11 +214,9 @@ impl<S: Source, const N: usize> Body<N> for Store<S> {
             let mask: &[u32; N] = Each::hold(m, i.s[2]);
             let full = whole || mask.iter().fold(u32::MAX, |all, m| all & m) == u32::MAX;
             if full && let Some(words) = elements.run(index, ordered, i.n[1]) {
-                let mut values = [0; N];
                 for lane in 0..N {
-                    values[lane] = S::get(value, lane);
+                    words.cast::<u32>().add(lane).write_unaligned(S::get(value, lane));
                 }
-                words.write_unaligned(values);
             } else if elements.memory.len >= 4 {
                 let offsets = elements.offsets(index);
                 for lane in 0..N {
