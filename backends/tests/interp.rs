@@ -19,8 +19,12 @@ mod integers;
 mod memory;
 #[path = "interp/overrides.rs"]
 mod overrides;
+#[path = "interp/sanitize.rs"]
+mod sanitize;
 #[path = "interp/shadow.rs"]
 mod shadow;
+#[path = "interp/shadow_runs.rs"]
+mod shadow_runs;
 #[path = "interp/soundness.rs"]
 mod soundness;
 #[path = "interp/truths.rs"]

@@ -282,13 +282,14 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// As [`Interpreter::run`].
     #[doc(hidden)]
-    pub fn run_judged(
+    pub fn run_judged<'a>(
         &self,
         entry: usize,
         groups: [u32; 3],
-        buffers: &mut [Buffer],
+        resources: impl Into<Resources<'a>>,
     ) -> Result<(), InterpError> {
-        self.dispatches(entry, groups, |dispatch| dispatch.run(buffers, |_| strict::Strict))
+        let mut resources = resources.into();
+        self.dispatches(entry, groups, Reader::Judge, |d| d.run(&mut resources, |_| strict::Strict))
     }
 
     /// Runs an entry point by the judge.
@@ -296,11 +297,12 @@ impl<'m> Interpreter<'m> {
         &self,
         entry: usize,
         groups: [u32; 3],
+        reader: Reader,
         run: impl FnOnce(&judge::dispatch::Dispatch<'_>) -> Result<T, InterpError>,
     ) -> Result<T, InterpError> {
         let (module, entry) = self.resolved(entry)?;
         let size = module.module().entry_points[entry].workgroup_size;
-        let code = judge::Code::new(lower::entry(&module, entry, Reader::Judge)?);
+        let code = judge::Code::new(lower::entry(&module, entry, reader)?);
         let (fuel, subgroup) = (self.fuel, self.subgroup);
         run(&judge::dispatch::Dispatch { code: &code, size, groups, fuel, subgroup })
     }
@@ -308,45 +310,51 @@ impl<'m> Interpreter<'m> {
     /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;
     /// the buffers that the program may write come back, word by word.
     ///
+    /// Nothing is promised of what depends on the order of invocations, of texels that are floats, and of what subgroups
+    /// exchange; races are taken to be absent.
+    ///
     /// # Errors
-    /// As [`Interpreter::run`], except that a loop that does not end makes what its invocations write unknown.
-    pub fn shadow_run(
+    /// As [`Interpreter::run`], except that a loop that does not end makes all that the program may write unknown.
+    pub fn shadow_run<'a>(
         &self,
         entry: usize,
         groups: [u32; 3],
-        buffers: &[Buffer],
+        resources: impl Into<Resources<'a>>,
     ) -> Result<Vec<ShadowBuffer>, InterpError> {
-        self.dispatches(entry, groups, |dispatch| dispatch.shadow(buffers))
+        let mut resources = resources.into();
+        self.dispatches(entry, groups, Reader::Judge, |d| d.shadow(&mut resources))
     }
 
     /// Runs entry point `entry` as a permitted driver would that errs by chance; the same seed gives the same results.
     ///
     /// # Errors
     /// As [`Interpreter::run`].
-    pub fn perturbed_run(
+    pub fn perturbed_run<'a>(
         &self,
         entry: usize,
         groups: [u32; 3],
-        buffers: &mut [Buffer],
+        resources: impl Into<Resources<'a>>,
         seed: u64,
     ) -> Result<(), InterpError> {
+        let mut resources = resources.into();
         let model = |group| perturbed::Perturbed::nth(seed, group);
-        self.dispatches(entry, groups, |dispatch| dispatch.run(buffers, model))
+        self.dispatches(entry, groups, Reader::Judge, |d| d.run(&mut resources, model))
     }
 
-    /// Runs entry point `entry` as [`Interpreter::run`] does and reports its mistakes; what it computes stays as it is.
+    /// Runs entry point `entry` as [`Interpreter::run`] does and reports its mistakes, in the order in which they are
+    /// met. A loop that does not end ends the run.
     ///
     /// # Errors
     /// As [`Interpreter::run`], except for what is a finding.
-    pub fn sanitize(
+    pub fn sanitize<'a>(
         &self,
         entry: usize,
         groups: [u32; 3],
-        buffers: &mut [Buffer],
+        resources: impl Into<Resources<'a>>,
         checks: Checks,
     ) -> Result<Vec<Finding>, InterpError> {
-        let _ = (groups, buffers, checks);
-        Err(self.not_yet(entry, "entry points that are sanitized"))
+        let mut resources = resources.into();
+        self.dispatches(entry, groups, Reader::Sanitizer, |d| d.sanitize(&mut resources, checks))
     }
 
     /// The same of a function, called on every row.
@@ -359,13 +367,7 @@ impl<'m> Interpreter<'m> {
         args: &Columns,
         checks: Checks,
     ) -> Result<Vec<Finding>, InterpError> {
-        let _ = (f, args, checks);
-        Err(self.not_yet(0, "functions that are sanitized"))
-    }
-
-    fn not_yet(&self, entry: usize, what: &str) -> InterpError {
-        let point = self.module.module().entry_points.get(entry);
-        let function = point.map_or_else(String::new, |p| p.name.clone());
-        InterpError::Unsupported { what: what.to_owned(), function }
+        let code = judge::Code::new(self.lowered(f, args, None, Reader::Sanitizer)?);
+        judge::rows::Call { code: &code, args, exact: None, fuel: self.fuel }.sanitize(checks)
     }
 }

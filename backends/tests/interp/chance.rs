@@ -10,8 +10,8 @@ const PROGRAMS: usize = 250;
 const ROWS: usize = 300;
 
 /// Writes programs with three floats, an integer and an array as variables.
-struct Writer {
-    chance: Chance,
+pub(crate) struct Writer {
+    pub(crate) chance: Chance,
     loops: usize,
     names: usize,
 }
@@ -97,14 +97,14 @@ impl Writer {
     }
 }
 
-fn writer() -> Writer {
+pub(crate) fn writer() -> Writer {
     let seed = std::env::var("LOBE_SEED").ok().and_then(|s| s.parse().ok()).unwrap_or(0x1a9e);
     println!("seed {seed:#x}");
     Writer { chance: Chance(seed), loops: 0, names: 0 }
 }
 
 /// A program whose variables begin like this.
-fn program(writer: &mut Writer, first: &str) -> String {
+pub(crate) fn program(writer: &mut Writer, first: &str) -> String {
     let body = writer.block(3);
     format!(
         "fn g(p: f32, q: f32) -> f32 {{ if p < q {{ return q - p; }} return p * 0.5; }}

@@ -3,11 +3,11 @@
 use crate::support::module;
 use lobe_backends::interp::{Buffer, InterpError, Interpreter, Isa};
 
-fn buffer(binding: u32, words: &[u32]) -> Buffer {
+pub(crate) fn buffer(binding: u32, words: &[u32]) -> Buffer {
     Buffer { group: 0, binding, data: words.iter().flat_map(|w| w.to_le_bytes()).collect() }
 }
 
-fn words(buffer: &Buffer) -> Vec<u32> {
+pub(crate) fn words(buffer: &Buffer) -> Vec<u32> {
     buffer.data.chunks(4).map(|c| u32::from_le_bytes(c.try_into().unwrap())).collect()
 }
 

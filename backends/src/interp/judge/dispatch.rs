@@ -3,14 +3,16 @@
 //! The invocations of a workgroup are the lanes of one batch, so a barrier needs nothing but all of them;
 //! workgroups run one after the other.
 
-use super::super::buffer::Buffer;
-use super::super::error::InterpError;
+use super::super::finding::{Checks, Finding};
 use super::super::model::Model;
+use super::super::resources::{Found, Resources};
 use super::super::shadow::Shadow;
+use super::super::strict::Strict;
 use super::super::{ShadowBuffer, ShadowWord};
 use super::atomic::Order;
 use super::input::Inputs;
 use super::memory::{Cell, Shared};
+use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
 
 /// A dispatch of a program.
@@ -23,73 +25,62 @@ pub(in super::super) struct Dispatch<'a> {
     pub(in super::super) subgroup: u32,
 }
 
+/// What a dispatch leaves.
+struct Left<M: Model> {
+    /// That of the last workgroup.
+    model: M,
+    memory: Vec<Shared<M>>,
+}
+
 impl Dispatch<'_> {
-    /// Runs all workgroups; storage buffers are updated in place.
+    /// Runs all workgroups; buffers and textures are updated in place.
     pub(in super::super) fn run<M: Model>(
         &self,
-        buffers: &mut [Buffer],
+        resources: &mut Resources<'_>,
         model: impl Fn(usize) -> M,
     ) -> Res<()> {
-        let bound = self.bind(buffers)?;
-        let (m, memory) = self.everything(&bound, buffers, model, |_, _, _| {})?;
-        for (index, shared) in bound.iter().zip(&memory) {
-            let Some(index) = index else { continue };
-            for (chunk, cell) in buffers[*index].data.chunks_exact_mut(4).zip(&shared.cells) {
-                let word = match cell {
-                    Cell::Bits(bits) => *bits,
-                    Cell::Float(a) => m.value(*a).to_bits(),
-                    Cell::Word(a) => m.word_value(*a) as u32,
-                };
-                chunk.copy_from_slice(&word.to_le_bytes());
-            }
-        }
-        Ok(())
+        self.everything(resources, model, |_, _, _| {}, &mut None).map(|_| ())
     }
 
-    /// The words that the program may write, with their bounds.
-    pub(in super::super) fn shadow(&self, buffers: &[Buffer]) -> Res<Vec<ShadowBuffer>> {
-        let bound = self.bind(buffers)?;
-        let (m, memory) = self.everything(&bound, buffers, |_| Shadow::default(), detach)?;
-        let program = &self.code.program;
-        let written = program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
-        Ok(written
+    /// The same, looking for mistakes.
+    pub(in super::super) fn sanitize(
+        &self,
+        resources: &mut Resources<'_>,
+        checks: Checks,
+    ) -> Res<Vec<Finding>> {
+        let mut watch = Some(Watch::new(checks));
+        let outcome = self.everything(resources, |_| Strict, |_, _, _| {}, &mut watch);
+        watch::findings(outcome.map(|_| ()), watch)
+    }
+
+    /// The words of buffers that the program may write, with their bounds.
+    pub(in super::super) fn shadow(&self, resources: &mut Resources<'_>) -> Res<Vec<ShadowBuffer>> {
+        let Left { model: m, memory } =
+            self.everything(resources, |_| Shadow::default(), detach, &mut None)?;
+        let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
+        let mut left: Vec<_> = written
             .filter_map(|(buffer, shared)| {
                 let (group, binding) = buffer.binding?;
                 let words = (0..shared.cells.len()).map(|at| told(&m, shared.get(&m, at))).collect();
                 Some(ShadowBuffer { group, binding, words })
             })
-            .collect())
-    }
-
-    /// The buffer of each resource of the program; none of workgroup memory.
-    fn bind(&self, buffers: &[Buffer]) -> Res<Vec<Option<usize>>> {
-        let find = |wanted: &super::super::program::Buffer| {
-            let Some((group, binding)) = wanted.binding else {
-                return Ok(None);
-            };
-            let name = || wanted.name.clone();
-            let index = buffers
-                .iter()
-                .position(|b| (b.group, b.binding) == (group, binding))
-                .ok_or_else(|| InterpError::MissingBuffer { name: name(), group, binding })?;
-            let (expected, found) = (wanted.bytes as usize, buffers[index].data.len());
-            if found < expected {
-                return Err(InterpError::BufferTooSmall { name: name(), expected, found });
-            }
-            Ok(Some(index))
-        };
-        self.code.program.buffers.iter().map(find).collect()
+            .collect();
+        left.sort_by_key(|b| (b.group, b.binding));
+        Ok(left)
     }
 
     /// Runs all workgroups, each with a model of its own; `after` sees each one's memory once it is done.
     fn everything<M: Model>(
         &self,
-        bound: &[Option<usize>],
-        buffers: &[Buffer],
+        resources: &mut Resources<'_>,
         model: impl Fn(usize) -> M,
         after: impl Fn(&M, &mut [Shared<M>], &Order),
-    ) -> Res<(M, Vec<Shared<M>>)> {
-        let mut memory = bound.iter().map(|b| found(b.map(|at| &buffers[at].data[..]))).collect();
+        watch: &mut Option<Watch>,
+    ) -> Res<Left<M>> {
+        let found = Found::of(&self.code.program, resources)?;
+        let bytes = |at: &Option<usize>| shared(at.map(|at| &resources.buffers[at].data[..]));
+        let mut memory = found.buffers.iter().map(bytes).collect();
+        let mut images = found.images.iter().map(|at| resources.textures[*at].texture.clone()).collect();
         let mut order = Order::new(M::SHADOW);
         let mut last = model(0);
         for (index, group) in self.each_group().enumerate() {
@@ -97,14 +88,25 @@ impl Dispatch<'_> {
             let (groups, size, subgroup) = (self.groups, self.size, self.subgroup.max(1));
             let inputs = Inputs::Group { group, groups, size, subgroup };
             let mut machine = Machine::new(self.code, model(index), inputs, lanes, self.fuel);
-            (machine.shared, machine.order) = (memory, order);
+            (machine.shared, machine.order, machine.images) = (memory, order, images);
+            machine.samplers.clone_from(&found.samplers);
             self.clear_own(&mut machine.shared);
-            machine.run()?;
-            (memory, order, last) = (machine.shared, machine.order, machine.model);
+            machine.watch = watch.take();
+            machine.watch_begin();
+            let outcome = machine.run();
+            *watch = machine.watch.take();
+            outcome?;
+            (memory, order, images, last) = (machine.shared, machine.order, machine.images, machine.model);
             after(&last, &mut memory, &order);
             order.leave_group(|buffer| self.code.program.buffers[buffer as usize].binding.is_none());
         }
-        Ok((last, memory))
+        for (at, shared) in found.buffers.iter().zip(&memory) {
+            at.iter().for_each(|at| write(&last, shared, &mut resources.buffers[*at].data));
+        }
+        for (at, image) in found.images.iter().zip(images) {
+            resources.textures[*at].texture = image;
+        }
+        Ok(Left { model: last, memory })
     }
 
     fn each_group(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
@@ -123,7 +125,19 @@ impl Dispatch<'_> {
     }
 }
 
-fn found<M: Model>(bytes: Option<&[u8]>) -> Shared<M> {
+/// Words on the f32 path, as bytes.
+fn write<M: Model>(m: &M, shared: &Shared<M>, bytes: &mut [u8]) {
+    for (chunk, cell) in bytes.chunks_exact_mut(4).zip(&shared.cells) {
+        let word = match cell {
+            Cell::Bits(bits) => *bits,
+            Cell::Float(a) => m.value(*a).to_bits(),
+            Cell::Word(a) => m.word_value(*a) as u32,
+        };
+        chunk.copy_from_slice(&word.to_le_bytes());
+    }
+}
+
+fn shared<M: Model>(bytes: Option<&[u8]>) -> Shared<M> {
     let words = bytes.unwrap_or(&[]).as_chunks().0.iter();
     Shared { cells: words.map(|c| Cell::Bits(u32::from_le_bytes(*c))).collect(), spoiled: false }
 }

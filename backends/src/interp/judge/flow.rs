@@ -18,9 +18,13 @@ use super::column::Column;
 use super::plan::Changes;
 use super::waiting::Waiting;
 use super::{MISMATCH, Machine, Res};
+use naga::Span;
 
 /// Rounds that a loop may run in the shadow lane.
 const SHADOW_ROUNDS: u32 = 1 << 16;
+
+/// The program, which nobody leaves early.
+const WHOLE: Label = Label(0);
 
 /// Where lanes are.
 pub(super) struct Flow<M: Model> {
@@ -30,7 +34,7 @@ pub(super) struct Flow<M: Model> {
     pub(super) value: Mask,
     /// Are where their exact numbers lead.
     pub(super) exact: Mask,
-    /// The constructs around, outermost first.
+    /// The constructs around, outermost first: the whole program.
     pub(super) around: Vec<Construct<M>>,
 }
 
@@ -45,10 +49,17 @@ pub(super) struct Construct<M: Model> {
     pub(super) changes: Changes,
 }
 
+impl<M: Model> Construct<M> {
+    fn new(label: Label, lanes: usize, changes: Changes) -> Self {
+        let none = Mask::none(lanes);
+        Self { label, left: none.clone(), divided: none, waiting: None, changes }
+    }
+}
+
 impl<M: Model> Flow<M> {
     pub(super) fn new(lanes: usize, active: Mask) -> Self {
         let (value, exact) = (Mask::all(lanes), Mask::all(lanes));
-        Self { active, value, exact, around: Vec::new() }
+        Self { active, value, exact, around: vec![Construct::new(WHOLE, lanes, Changes::default())] }
     }
 
     /// Whether the lane has another half, within these constructs.
@@ -193,10 +204,8 @@ impl<M: Model> Machine<'_, M> {
     }
 
     fn begin(&mut self, label: Label, body: &Block) {
-        let none = Mask::none(self.lanes);
         let changes = if M::SHADOW { self.plan.changes(body).clone() } else { Changes::default() };
-        let construct = Construct { label, left: none.clone(), divided: none, waiting: None, changes };
-        self.flow.around.push(construct);
+        self.flow.around.push(Construct::new(label, self.lanes, changes));
     }
 
     /// All lanes meet at the end of the innermost construct.
@@ -228,13 +237,13 @@ impl<M: Model> Machine<'_, M> {
     }
 
     /// Repeats `body` until no lane is left in it.
-    pub(super) fn repeat(&mut self, label: Label, body: &Block, function: u32) -> Res<()> {
+    pub(super) fn repeat(&mut self, label: Label, body: &Block, name: (u32, Span)) -> Res<()> {
         self.begin(label, body);
         let mut rounds = 0;
         while self.flow.active.any() {
             rounds += 1;
             if self.fuel == 0 || (M::SHADOW && rounds > SHADOW_ROUNDS) {
-                self.exhausted(function)?;
+                self.exhausted(name)?;
                 break;
             }
             self.fuel -= 1;
@@ -265,7 +274,8 @@ impl<M: Model> Machine<'_, M> {
 
     /// Without fuel a loop ends; shadow lanes that follow a path no f32 number takes may well run forever,
     /// so there it is the row that is lost, not the batch.
-    fn exhausted(&mut self, function: u32) -> Res<()> {
+    fn exhausted(&mut self, (function, at): (u32, Span)) -> Res<()> {
+        self.watch_loop(at);
         if !M::SHADOW {
             return Err(InterpError::OutOfFuel { function: self.function(function) });
         }

@@ -64,13 +64,17 @@ pub(super) fn compare(scalar: Scalar, comparison: Comparison, a: u64, b: u64) ->
     }
 }
 
+/// Whether a quotient is defined.
+pub(super) fn divides(scalar: Scalar, a: i128, b: i128) -> bool {
+    b != 0 && !(scalar.signed() && a == limits(scalar).0 && b == -1)
+}
+
 /// An operation; operands that it does not have are zero.
 pub(super) fn apply(scalar: Scalar, op: IntOp, words: [u64; 4]) -> u64 {
     let [a, b, c, _] = words.map(|w| number(w, scalar));
     let raw = words[0] & (u64::MAX >> (64 - width(scalar)));
     let width = width(scalar);
-    let (low, _) = limits(scalar);
-    let defined = b != 0 && !(scalar.signed() && a == low && b == -1);
+    let defined = divides(scalar, a, b);
     let shift = words[1] as u32 % width;
     let result = match op {
         IntOp::Add => a + b,

@@ -8,7 +8,8 @@
 //! find before or after another invocation's atomic. Programs are taken to be free of races.
 
 use super::super::model::Model;
-use super::super::program::{Count, Place, Scalar, Value};
+use super::super::program::{Count, Op, Place, Scalar, Value};
+use super::super::scalar::eval::eval;
 use super::column::{Column, Family, family};
 use super::{MISMATCH, Machine, Res};
 
@@ -155,9 +156,6 @@ impl<M: Model> Machine<'_, M> {
     }
 
     fn load_shared(&self, buffer: u32, at: &[usize], scalar: Scalar, to: &mut Column<M>) -> Res<()> {
-        if scalar == Scalar::F16 {
-            return Err(self.refuse("memory of 16-bit scalars".to_owned()));
-        }
         let shared = &self.shared[buffer as usize];
         let cell = |m: &M, at: usize| {
             let cell = shared.get(m, at);
@@ -167,6 +165,10 @@ impl<M: Model> Machine<'_, M> {
             Family::Float => self.each_float(to, |m, lane| cell(m, at[lane] / 4).float(m)),
             Family::Bool => self.each_bool(to, |m, lane| {
                 m.compare_w(cell(m, at[lane] / 4).word(m), m.word(0), |a, b| a != b)
+            }),
+            Family::Word if scalar.bytes() == 2 => self.each_word(to, |m, lane| {
+                let word = cell(m, at[lane] / 4).word(m);
+                m.map_w(word, |word| held(scalar, word >> (8 * (at[lane] & 2)) & 0xffff))
             }),
             Family::Word if scalar.wide() => self.each_word(to, |m, lane| {
                 let (low, high) = (cell(m, at[lane] / 4).word(m), cell(m, at[lane] / 4 + 1).word(m));
@@ -227,15 +229,20 @@ impl<M: Model> Machine<'_, M> {
 
     fn store_shared(&mut self, buffer: u32, at: &[usize], value: Value) -> Res<()> {
         let scalar = self.program.scalar(value);
-        if scalar == Scalar::F16 {
-            return Err(self.refuse("memory of 16-bit scalars".to_owned()));
-        }
         let lanes: Vec<usize> = self.flow.active.lanes().collect();
         for lane in lanes {
             let m = &self.model;
             let (first, second) = match family(scalar) {
                 Family::Float => (Cell::Float(self.floats(value)?.at(lane)), None),
                 Family::Bool => (Cell::Word(super::cast::number(m, self.bools(value)?.at(lane))), None),
+                Family::Word if scalar.bytes() == 2 => {
+                    let (half, old) = (self.words(value)?.at(lane), &self.shared[buffer as usize]);
+                    let shift = 8 * (at[lane] & 2);
+                    let both = m.zip_w(old.get(m, at[lane] / 4).word(m), half, |old, half| {
+                        old & !(0xffff << shift) | stored(scalar, half) << shift
+                    });
+                    (Cell::Word(both), None)
+                }
                 Family::Word => {
                     let word = self.words(value)?.at(lane);
                     let low = Cell::Word(m.map_w(word, |w| w & u64::from(u32::MAX)));
@@ -263,6 +270,16 @@ impl<M: Model> Machine<'_, M> {
         *place = cell;
         self.order.written(buffer, at);
     }
+}
+
+/// What registers hold of 16 bits.
+fn held(scalar: Scalar, half: u64) -> u64 {
+    eval(Op::Bitcast(Scalar::U16, scalar), &[half]).unwrap_or(half)
+}
+
+/// The 16 bits of what registers hold.
+fn stored(scalar: Scalar, held: u64) -> u64 {
+    eval(Op::Bitcast(scalar, Scalar::U16), &[held]).unwrap_or(held) & 0xffff
 }
 
 /// A word that is one of two.

@@ -8,7 +8,9 @@
 //!   lanes meet by `waiting`.
 //! - `column` holds a scalar in all lanes; `eval` computes it, by `float`, [`integer`] and `cast`; `bits` is for
 //!   what models have no numbers for.
-//! - `memory` and `atomic` are what programs address; `subgroup` is what lanes exchange.
+//! - `memory` and `atomic` are what programs address; `subgroup` is what lanes exchange,
+//!   `texture` what textures hold.
+//! - [`watch`] looks for mistakes of the program.
 //! - [`rows`] calls functions; [`dispatch`] runs entry points.
 
 mod atomic;
@@ -25,12 +27,15 @@ mod memory;
 mod plan;
 pub(super) mod rows;
 mod subgroup;
+mod texture;
 mod waiting;
+pub(super) mod watch;
 
 use super::error::{InterpError, Res};
 use super::mask::Mask;
 use super::model::Model;
 use super::program::{Block, Program, Stmt};
+use crate::texture::{Sampler, Texture};
 use atomic::Order;
 use column::{Column, Single};
 use flow::Flow;
@@ -38,6 +43,7 @@ use input::Inputs;
 use memory::Shared;
 use plan::Plan;
 use std::sync::Arc;
+use watch::Watch;
 
 const MISMATCH: InterpError = InterpError::Malformed("a scalar of one kind is used as another");
 
@@ -78,11 +84,15 @@ struct Machine<'c, M: Model> {
     /// Memory that the lanes share.
     shared: Vec<Shared<M>>,
     order: Order,
+    images: Vec<Texture>,
+    samplers: Vec<Sampler>,
     inputs: Inputs<'c>,
     flow: Flow<M>,
     flags: Flags,
     /// Rounds of loops left.
     fuel: u64,
+    /// Looks for mistakes.
+    watch: Option<Watch>,
 }
 
 impl<'c, M: Model> Machine<'c, M> {
@@ -94,6 +104,8 @@ impl<'c, M: Model> Machine<'c, M> {
             constants: program.constants.iter().map(|c| Single::constant(&model, c)).collect(),
             arrays: program.arrays.iter().map(|a| (0..a.len).map(|_| Column::default()).collect()).collect(),
             shared: Vec::new(),
+            images: Vec::new(),
+            samplers: Vec::new(),
             order: Order::default(),
             flow: Flow::new(lanes, Mask::all(lanes)),
             flags: Flags { ambiguous: none.clone(), lost: none.clone(), tainted: none },
@@ -103,6 +115,7 @@ impl<'c, M: Model> Machine<'c, M> {
             lanes,
             inputs,
             fuel,
+            watch: None,
         }
     }
 
@@ -123,6 +136,19 @@ impl<'c, M: Model> Machine<'c, M> {
     }
 
     fn statement(&mut self, stmt: &Stmt) -> Res<()> {
+        if self.watch.is_some() {
+            self.watch_before(stmt)?;
+        }
+        self.execute(stmt)?;
+        if let Stmt::Eval(eval) = stmt
+            && self.watch.is_some()
+        {
+            self.watch_result(eval)?;
+        }
+        Ok(())
+    }
+
+    fn execute(&mut self, stmt: &Stmt) -> Res<()> {
         match stmt {
             Stmt::Eval(eval) => self.eval(eval),
             Stmt::Set { to, value } => {
@@ -134,18 +160,18 @@ impl<'c, M: Model> Machine<'c, M> {
             Stmt::Store { place, value, .. } => self.store(*place, *value),
             Stmt::Atomic(atomic) => self.atomic(atomic),
             Stmt::If { condition, accept, reject } => self.branch(*condition, accept, reject),
-            Stmt::Loop { label, body, function, .. } => self.repeat(*label, body, *function),
+            Stmt::Loop { label, body, function, at } => self.repeat(*label, body, (*function, *at)),
             Stmt::Scope { label, body } => self.scope(*label, body),
             Stmt::Leave(label) => self.leave(*label),
             Stmt::Barrier { function, .. } => self.barrier(*function),
             Stmt::Subgroup(subgroup) => self.exchange(subgroup),
-            Stmt::Texture(access) => Err(self.refuse(format!("{:?} where programs are judged", access.op))),
+            Stmt::Texture(access) => self.texture(access),
         }
     }
 
     /// All invocations of a workgroup must arrive together; rows of a call are on their own.
     fn barrier(&mut self, function: u32) -> Res<()> {
-        if self.inputs.workgroup() && !self.flow.active.every() {
+        if self.inputs.workgroup() && !self.flow.active.every() && self.watch.is_none() {
             return Err(InterpError::NonUniformBarrier { function: self.function(function) });
         }
         self.order.passed += 1;

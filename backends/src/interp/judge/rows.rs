@@ -1,11 +1,14 @@
 //! Rows of arguments through a function.
 
+use super::super::finding::{Checks, Finding};
 use super::super::model::Model;
 use super::super::program::{Scalar, Value};
 use super::super::shadow::Shadow;
+use super::super::strict::Strict;
 use super::super::{ShadowColumn, ShadowColumns};
 use super::column::{Column, Family, family};
 use super::input::Inputs;
+use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
 use lobe_codegen::data::Columns;
 use rayon::prelude::*;
@@ -55,12 +58,31 @@ impl<'a> Call<'a> {
         Ok(out)
     }
 
+    /// Runs all rows, looking for mistakes.
+    pub(in super::super) fn sanitize(self, checks: Checks) -> Res<Vec<Finding>> {
+        let parts = chunks(self.args.rows, LANES)
+            .into_par_iter()
+            .map(|rows| {
+                let mut machine = self.machine(Strict, &rows);
+                machine.watch = Some(Watch::new(checks));
+                machine.watch_begin();
+                let outcome = machine.run().and_then(|()| machine.watch_results());
+                watch::findings(outcome, machine.watch.take())
+            })
+            .collect::<Res<Vec<_>>>()?;
+        Ok(watch::first_of_each(parts.into_iter().flatten(), checks))
+    }
+
     /// Runs some rows.
     pub(super) fn batch<M: Model>(self, model: M, rows: &Range<usize>) -> Res<Machine<'a, M>> {
-        let inputs = Inputs::Rows { args: self.args, exact: self.exact, first: rows.start };
-        let mut machine = Machine::new(self.code, model, inputs, rows.len(), self.fuel);
+        let mut machine = self.machine(model, rows);
         machine.run()?;
         Ok(machine)
+    }
+
+    fn machine<M: Model>(self, model: M, rows: &Range<usize>) -> Machine<'a, M> {
+        let inputs = Inputs::Rows { args: self.args, exact: self.exact, first: rows.start };
+        Machine::new(self.code, model, inputs, rows.len(), self.fuel)
     }
 }
 

@@ -1,12 +1,13 @@
 //! What judges want to know beside the operations.
 
 use super::super::program::op::Mark;
-use super::super::program::{Op, Scalar, Value};
-use super::frame::{Frame, Item};
+use super::super::program::{Atomic, Op, Place, Scalar, Stmt, Update, Value};
+use super::frame::{Frame, Item, Pointer};
+use super::layout::Shape;
 use super::{Lowerer, Reader, scan};
 use lobe_codegen::def::Truth;
 use lobe_codegen::module::Scope;
-use naga::{Block, Span, Statement};
+use naga::{Block, Span, Statement, TypeInner};
 use std::collections::HashMap;
 
 /// Where the source has statements, by their address in the module.
@@ -21,6 +22,36 @@ impl<'m> Lowerer<'m> {
                 scalars.iter().map(|s| self.b.eval(Op::Mark(*s, Mark::Unwritten), &[])).collect()
             }
         }
+    }
+
+    /// Loads a scalar; sanitizers learn what is atomic.
+    pub(crate) fn load_place(&mut self, pointer: Pointer, place: Place, scalar: Scalar) -> Value {
+        if !self.is_atomic(pointer, scalar) {
+            return self.b.load(place, scalar);
+        }
+        let old = self.b.register(scalar);
+        let (fun, value, at) = (Update::Or, self.b.zero(scalar), self.b.at);
+        self.b.push(Stmt::Atomic(Atomic { place, fun, value, expected: None, old: Some(old), at }));
+        Value::Reg(old)
+    }
+
+    /// Stores a scalar; sanitizers learn what is atomic.
+    pub(crate) fn store_place(&mut self, pointer: Pointer, place: Place, value: Value) {
+        if !self.is_atomic(pointer, self.b.scalar(value)) {
+            return self.b.store(place, value);
+        }
+        let (fun, at) = (Update::Exchange, self.b.at);
+        self.b.touch();
+        self.b.push(Stmt::Atomic(Atomic { place, fun, value, expected: None, old: None, at }));
+    }
+
+    fn is_atomic(&self, pointer: Pointer, scalar: Scalar) -> bool {
+        let Shape::Type(ty) = pointer.shape else {
+            return false;
+        };
+        self.reader == Reader::Sanitizer
+            && !scalar.float()
+            && matches!(self.types().inner(ty), TypeInner::Atomic(_))
     }
 
     /// A function's results, told to be so, and what exact function they stand for.

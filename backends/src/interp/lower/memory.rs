@@ -26,7 +26,7 @@ impl Lowerer<'_> {
         let mut out = Vec::new();
         for (scalar, offset) in self.places(pointer)? {
             out.push(match (Self::place(pointer, offset), pointer.root) {
-                (Some(place), _) => self.b.load(place, scalar),
+                (Some(place), _) => self.load_place(pointer, place, scalar),
                 (None, Root::Registers(first)) => {
                     let value = self.variables[first + offset as usize];
                     self.lasting(value)
@@ -41,7 +41,7 @@ impl Lowerer<'_> {
     pub(crate) fn store(&mut self, pointer: Pointer, values: &[Value]) -> Res<()> {
         for ((_, offset), value) in self.places(pointer)?.into_iter().zip(values) {
             match (Self::place(pointer, offset), pointer.root) {
-                (Some(place), _) => self.b.store(place, *value),
+                (Some(place), _) => self.store_place(pointer, place, *value),
                 (None, Root::Registers(first)) => self.variables[first + offset as usize] = *value,
                 (None, Root::Lane(_) | Root::Buffer(_)) => return Err(malformed("memory without a place")),
             }

@@ -101,7 +101,6 @@ pub(crate) struct Eval {
     pub(crate) op: Op,
     pub(crate) args: Args,
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings name it")]
     pub(crate) at: Span,
 }
 
@@ -120,7 +119,6 @@ pub(crate) enum Stmt {
         place: Place,
         value: Value,
         /// Where the source has it.
-        #[expect(dead_code, reason = "findings name it")]
         at: Span,
     },
     /// Replaces a word of memory in the active lanes, one after the other; `old` takes what it was.
@@ -137,7 +135,6 @@ pub(crate) enum Stmt {
         body: Block,
         function: u32,
         /// Where the source has it.
-        #[expect(dead_code, reason = "findings name it")]
         at: Span,
     },
     /// Runs `body` once; lanes may leave it early.
@@ -148,7 +145,6 @@ pub(crate) enum Stmt {
     Barrier {
         function: u32,
         /// Where the source has it.
-        #[expect(dead_code, reason = "findings name it")]
         at: Span,
     },
 }
@@ -164,7 +160,6 @@ pub(crate) struct Atomic {
     /// Takes the former word.
     pub(crate) old: Option<Reg>,
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings name it")]
     pub(crate) at: Span,
 }
 

@@ -13,7 +13,6 @@ pub(crate) struct Subgroup {
     pub(crate) index: Option<Value>,
     pub(crate) to: Reg,
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings and traces will name it")]
     pub(crate) at: Span,
 }
 

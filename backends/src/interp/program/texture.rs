@@ -38,7 +38,6 @@ pub(crate) struct Access {
     /// Takes what comes out: as many scalars as the operation's type has, of them those that somebody reads.
     pub(crate) to: [Option<Reg>; 4],
     /// Where the source has it.
-    #[expect(dead_code, reason = "findings and traces will name it")]
     pub(crate) at: Span,
 }
 

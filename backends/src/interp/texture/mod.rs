@@ -41,7 +41,6 @@ pub(crate) trait TexelsMut: Texels {
     fn set_texel(&mut self, at: usize, texel: u128);
 }
 
-#[cfg(test)]
 impl Texels for crate::texture::Texture {
     fn shape(&self) -> TextureShape {
         Self::shape(self)
@@ -54,7 +53,6 @@ impl Texels for crate::texture::Texture {
     }
 }
 
-#[cfg(test)]
 impl TexelsMut for crate::texture::Texture {
     fn set_texel(&mut self, at: usize, texel: u128) {
         let size = Texels::shape(self).format.bytes();

@@ -1,15 +1,14 @@
 //! The memory behind a program's variables.
 #![allow(unsafe_code, reason = "buffers and textures are shared by threads")]
 
-use super::super::super::error::{InterpError, Res};
-use super::super::super::program::{self, Count, Program};
-use super::super::super::resources::{BoundTexture, Resources};
+use super::super::super::error::Res;
+use super::super::super::program::{Count, Program};
+use super::super::super::resources::{BoundTexture, Found, Resources};
 use super::super::machine::Bound;
 use super::super::together::BoundImage;
 use super::order;
 use crate::interp::Buffer;
-use crate::texture::{Format, Kind, Sampler, TextureShape};
-use naga::{ImageClass, ScalarKind};
+use crate::texture::Sampler;
 
 /// The memory of all buffers and textures of a program; none yet behind workgroup variables.
 pub(super) struct Memory {
@@ -73,94 +72,27 @@ pub(super) fn bound(
     resources: &mut Resources<'_>,
     body: impl FnOnce(&Memory) -> Res<()>,
 ) -> Res<()> {
-    let mut aligned = buffers(program, resources.buffers)?;
-    let samplers = samplers(program, resources)?;
-    let images = images(program, resources.textures)?;
+    let found = Found::of(program, resources)?;
+    let aligned = |at: &Option<usize>| at.map(|at| Aligned::new(at, &resources.buffers[at]));
+    let mut aligned: Vec<_> = found.buffers.iter().map(aligned).collect();
+    let images = images(resources.textures, &found.images);
     let bound = |a: &mut Option<Aligned>| match a {
         Some(a) => a.bound(resources.buffers),
         None => Bound { ptr: std::ptr::dangling_mut(), len: 0 },
     };
-    let outcome = body(&Memory { buffers: aligned.iter_mut().map(bound).collect(), images, samplers });
+    let outcome =
+        body(&Memory { buffers: aligned.iter_mut().map(bound).collect(), images, samplers: found.samplers });
     aligned.into_iter().flatten().for_each(|a| a.write_back(resources.buffers));
     outcome
 }
 
-/// The buffer of each variable that has one.
-fn buffers(program: &Program, buffers: &[Buffer]) -> Res<Vec<Option<Aligned>>> {
-    let find = |wanted: &program::Buffer| {
-        let Some((group, binding)) = wanted.binding else {
-            return Ok(None);
-        };
-        let name = || wanted.name.clone();
-        let index = buffers
-            .iter()
-            .position(|b| (b.group, b.binding) == (group, binding))
-            .ok_or_else(|| InterpError::MissingBuffer { name: name(), group, binding })?;
-        let (expected, found) = (wanted.bytes as usize, buffers[index].data.len());
-        if found < expected {
-            return Err(InterpError::BufferTooSmall { name: name(), expected, found });
-        }
-        Ok(Some(Aligned::new(index, &buffers[index])))
-    };
-    program.buffers.iter().map(find).collect()
-}
-
-/// The texture of each variable.
-fn images(program: &Program, textures: &mut [BoundTexture]) -> Res<Vec<BoundImage>> {
-    let find = |wanted: &program::Image| {
-        let (group, binding) = wanted.binding;
-        let found = textures.iter_mut().find(|t| (t.group, t.binding) == (group, binding));
-        let missing = || InterpError::MissingTexture { name: wanted.name.clone(), group, binding };
-        let texture = &mut found.ok_or_else(missing)?.texture;
+/// The texels of textures, by index.
+fn images(textures: &mut [BoundTexture], found: &[usize]) -> Vec<BoundImage> {
+    let image = |at: &usize| {
+        let texture = &mut textures[*at].texture;
         let shape = texture.shape();
-        if let Some(expected) = misfit(wanted, &shape) {
-            let (name, found) = (wanted.name.clone(), shape.to_string());
-            return Err(InterpError::TextureMisfit { name, expected, found });
-        }
         let bytes = texture.bytes_mut();
-        Ok(BoundImage { shape, ptr: bytes.as_mut_ptr(), len: bytes.len() })
+        BoundImage { shape, ptr: bytes.as_mut_ptr(), len: bytes.len() }
     };
-    program.images.iter().map(find).collect()
-}
-
-/// What a variable wants, unless the shape is it.
-fn misfit(wanted: &program::Image, shape: &TextureShape) -> Option<String> {
-    let (texels, samples, fits) = match wanted.class {
-        ImageClass::Sampled { kind, multi } => {
-            let (texels, kinds) = match kind {
-                ScalarKind::Sint => ("signed integers".to_owned(), [Kind::Sint; 2]),
-                ScalarKind::Uint => ("unsigned integers".to_owned(), [Kind::Uint; 2]),
-                _ => ("floats".to_owned(), [Kind::Float, Kind::Depth]),
-            };
-            (texels, if multi { 4 } else { 1 }, kinds.contains(&shape.format.kind()))
-        }
-        ImageClass::Depth { multi } => {
-            ("depths".to_owned(), if multi { 4 } else { 1 }, shape.format.kind() == Kind::Depth)
-        }
-        ImageClass::Storage { format, .. } => {
-            let format = Format::Storage(format);
-            (format.to_string(), 1, shape.format == format)
-        }
-        ImageClass::External => ("an external source".to_owned(), 1, false),
-    };
-    let single = !matches!(wanted.class, ImageClass::Storage { .. }) || shape.levels == 1;
-    let fits = fits && single && shape.samples == samples && shape.dimension == wanted.dimension;
-    let levels = if single { "" } else { ", 1 level" };
-    (!fits).then(|| format!("a {} texture of {texels}, {samples} a texel{levels}", wanted.dimension))
-}
-
-/// The sampler of each variable.
-fn samplers(program: &Program, resources: &Resources<'_>) -> Res<Vec<Sampler>> {
-    let find = |wanted: &program::SamplerVariable| {
-        let (group, binding) = wanted.binding;
-        let found = resources.samplers.iter().find(|s| (s.group, s.binding) == (group, binding));
-        let name = || wanted.name.clone();
-        let sampler =
-            found.ok_or_else(|| InterpError::MissingSampler { name: name(), group, binding })?.sampler;
-        if sampler.compare.is_some() != wanted.comparison {
-            return Err(InterpError::SamplerMisfit { name: name(), comparison: wanted.comparison });
-        }
-        Ok(sampler)
-    };
-    program.samplers.iter().map(find).collect()
+    found.iter().map(image).collect()
 }
