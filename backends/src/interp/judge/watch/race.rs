@@ -50,7 +50,8 @@ impl Access {
     }
 
     fn races(&self, later: &Self) -> bool {
-        !self.is_by_same(later) && !self.is_before(later) && !(self.touch.atomic && later.touch.atomic)
+        let both_atomic = self.touch.atomic && later.touch.atomic;
+        !(both_atomic || self.is_by_same(later) || self.is_before(later))
     }
 }
 
