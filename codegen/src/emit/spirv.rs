@@ -24,7 +24,8 @@ pub(super) fn plain(module: &ValidModule, entry: &str) -> Result<Vec<u32>, EmitE
     let policies = BoundsCheckPolicies {
         index: restrict,
         buffer: restrict,
-        image_load: restrict,
+        // Vulkan's robust image access, which wgpu asks for, already keeps loads inside.
+        image_load: BoundsCheckPolicy::Unchecked,
         binding_array: restrict,
     };
     let settings = spv::Options { bounds_check_policies: policies, ..settings() };

@@ -1,7 +1,7 @@
 // Covers: subgroupBarrier: what a subgroup wrote to workgroup memory.
-// lobe: --size data=256 --size out=256
-@group(0) @binding(0) var<storage, read> data: array<u32>;
-@group(0) @binding(1) var<storage, read_write> out: array<u32>;
+// lobe: --workgroups 1,1,1
+@group(0) @binding(0) var<storage, read> data: array<u32, 64>;
+@group(0) @binding(1) var<storage, read_write> out: array<u32, 64>;
 var<workgroup> place: array<u32, 64>;
 
 @compute @workgroup_size(64)

@@ -1,7 +1,7 @@
 // Covers: quadBroadcast, quadSwapX, quadSwapY, quadSwapDiagonal.
-// lobe: --size data=1024 --size out=1024
-@group(0) @binding(0) var<storage, read> data: array<vec4<f32>>;
-@group(0) @binding(1) var<storage, read_write> out: array<vec4<f32>>;
+// lobe: --workgroups 1,1,1
+@group(0) @binding(0) var<storage, read> data: array<vec4<f32>, 64>;
+@group(0) @binding(1) var<storage, read_write> out: array<vec4<f32>, 64>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(local_invocation_index) i: u32) {

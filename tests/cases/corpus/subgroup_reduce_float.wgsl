@@ -1,7 +1,7 @@
 // Covers: subgroup reductions and scans of f32; the order of a sum is the driver's.
-// lobe: --size data=256 --size out=2048 --within out=0.00001
-@group(0) @binding(0) var<storage, read> data: array<f32>;
-@group(0) @binding(1) var<storage, read_write> out: array<vec4<f32>>;
+// lobe: --within out=0.00001
+@group(0) @binding(0) var<storage, read> data: array<f32, 64>;
+@group(0) @binding(1) var<storage, read_write> out: array<vec4<f32>, 128>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(local_invocation_index) i: u32) {

@@ -1,7 +1,7 @@
 // Covers: subgroup reductions and scans of i32, vectors too, with lanes left out.
-// lobe: --size data=256 --size out=4096
-@group(0) @binding(0) var<storage, read> data: array<i32>;
-@group(0) @binding(1) var<storage, read_write> out: array<vec4<i32>>;
+// lobe: --workgroups 1,1,1
+@group(0) @binding(0) var<storage, read> data: array<i32, 64>;
+@group(0) @binding(1) var<storage, read_write> out: array<vec4<i32>, 256>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(local_invocation_index) i: u32) {

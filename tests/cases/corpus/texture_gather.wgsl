@@ -1,5 +1,5 @@
 // Covers: textureGather of each channel, of integers and depths, and textureGatherCompare.
-// lobe: --size out=24576 --within out=0.0000003
+// lobe: --within out=0.0000003
 // lobe: --texture color=rgba8unorm:8x8x1 --texture counts=rgba8uint:8x8x1 --texture depth=depth16unorm:8x8x1
 // lobe: --texture pages=rgba8unorm:4x4x1:2 --sampler fine=linear,repeat --sampler shadow=linear,less --sampler sharp=nearest
 @group(0) @binding(0) var color: texture_2d<f32>;
@@ -9,7 +9,7 @@
 @group(0) @binding(4) var fine: sampler;
 @group(0) @binding(5) var shadow: sampler_comparison;
 @group(0) @binding(6) var sharp: sampler;
-@group(0) @binding(7) var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(7) var<storage, read_write> out: array<vec4<f32>, 1536>;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {

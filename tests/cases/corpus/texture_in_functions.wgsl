@@ -1,10 +1,10 @@
 // Covers: textures and samplers as arguments of functions, in loops and branches.
-// lobe: --size out=1024 --within out=0.03
+// lobe: --within out=0.03
 // lobe: --texture near=rgba8unorm:8x8x1 --texture far=rgba8unorm:4x4x1 --sampler fine=linear
 @group(0) @binding(0) var near: texture_2d<f32>;
 @group(0) @binding(1) var far: texture_2d<f32>;
 @group(0) @binding(2) var fine: sampler;
-@group(0) @binding(3) var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(3) var<storage, read_write> out: array<vec4<f32>, 64>;
 
 fn sum(image: texture_2d<f32>, how: sampler, at: vec2<f32>, count: u32) -> vec4<f32> {
     var total = vec4<f32>();

@@ -1,11 +1,11 @@
 // Covers: textureLoad of sampled 2D textures of floats and integers, levels, texels out of bounds.
-// lobe: --workgroups 1,1,1 --size out=8192 --size colors=4096 --within colors=0.0000001
+// lobe: --workgroups 1,1,1 --within colors=0.0000001
 // lobe: --texture color=rgba8unorm:8x8x1:1:3 --texture counts=rgba16uint:8x8x1 --texture signs=rg8sint:8x8x1
 @group(0) @binding(0) var color: texture_2d<f32>;
 @group(0) @binding(1) var counts: texture_2d<u32>;
 @group(0) @binding(2) var signs: texture_2d<i32>;
-@group(0) @binding(3) var<storage, read_write> out: array<vec4<u32>>;
-@group(0) @binding(4) var<storage, read_write> colors: array<vec4<f32>>;
+@group(0) @binding(3) var<storage, read_write> out: array<vec4<u32>, 512>;
+@group(0) @binding(4) var<storage, read_write> colors: array<vec4<f32>, 256>;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {

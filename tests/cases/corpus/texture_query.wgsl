@@ -1,5 +1,5 @@
 // Covers: textureDimensions, textureNumLevels and textureNumLayers of every kind of texture.
-// lobe: --size out=256 --input out=zeros
+// lobe: --input out=zeros
 // lobe: --texture line=r8unorm:12x1x1 --texture flat=rgba8unorm:20x12x1:1:4 --texture pages=rgba8unorm:6x4x1:5:2
 // lobe: --texture block=rgba8unorm:6x4x10:1:3 --texture cube=rgba8unorm:8x8x1:6:2 --texture cubes=rgba8unorm:8x8x1:12
 // lobe: --texture depth=depth16unorm:7x5x1:1:2 --texture goal=rgba8unorm:9x3x1 --texture goals=r32uint:4x5x1:3
@@ -12,7 +12,7 @@
 @group(0) @binding(6) var depth: texture_depth_2d;
 @group(0) @binding(7) var goal: texture_storage_2d<rgba8unorm, write>;
 @group(0) @binding(8) var goals: texture_storage_2d_array<r32uint, write>;
-@group(0) @binding(9) var<storage, read_write> out: array<vec4<u32>>;
+@group(0) @binding(9) var<storage, read_write> out: array<vec4<u32>, 16>;
 
 @compute @workgroup_size(4)
 fn main(@builtin(local_invocation_index) i: u32) {

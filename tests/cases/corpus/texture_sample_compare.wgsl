@@ -1,5 +1,5 @@
 // Covers: textureSampleCompareLevel and textureSampleLevel of depth textures, flat, arrays and cubes.
-// lobe: --size out=5120 --within out=0.008
+// lobe: --within out=0.008
 // lobe: --texture depth=depth16unorm:8x8x1 --texture pages=depth16unorm:8x8x1:3 --texture cube=depth16unorm:4x4x1
 // lobe: --sampler shadow=less --sampler soft=linear,greater-equal --sampler sharp=nearest
 @group(0) @binding(0) var depth: texture_depth_2d;
@@ -8,7 +8,7 @@
 @group(0) @binding(3) var shadow: sampler_comparison;
 @group(0) @binding(4) var soft: sampler_comparison;
 @group(0) @binding(5) var sharp: sampler;
-@group(0) @binding(6) var<storage, read_write> out: array<f32>;
+@group(0) @binding(6) var<storage, read_write> out: array<f32, 1280>;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {

@@ -1,12 +1,12 @@
 // Covers: textureSampleLevel of cubes and arrays of cubes: faces, levels, edges and corners.
-// lobe: --size out=12288 --within out=0.012
+// lobe: --within out=0.012
 // lobe: --texture sky=rgba8unorm:8x8x1:6:3 --texture skies=rgba8unorm:4x4x1:12 --sampler fine=linear,mip-linear
 // lobe: --sampler sharp=nearest
 @group(0) @binding(0) var sky: texture_cube<f32>;
 @group(0) @binding(1) var skies: texture_cube_array<f32>;
 @group(0) @binding(2) var fine: sampler;
 @group(0) @binding(3) var sharp: sampler;
-@group(0) @binding(4) var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(4) var<storage, read_write> out: array<vec4<f32>, 768>;
 
 @compute @workgroup_size(256)
 fn main(@builtin(local_invocation_index) i: u32) {

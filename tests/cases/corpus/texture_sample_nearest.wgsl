@@ -1,5 +1,5 @@
 // Covers: textureSampleLevel with nearest filtering, to the last bit of a code over 255: texels, levels, address modes, offsets.
-// lobe: --size out=20480 --within out=0.0000001
+// lobe: --within out=0.0000001
 // lobe: --texture color=rgba8unorm:16x8x1:1:4 --sampler sharp=nearest --sampler sharp_repeat=repeat
 // lobe: --sampler sharp_mirror=mirror --sampler middle=lod:1:2
 @group(0) @binding(0) var color: texture_2d<f32>;
@@ -7,7 +7,7 @@
 @group(0) @binding(2) var sharp_repeat: sampler;
 @group(0) @binding(3) var sharp_mirror: sampler;
 @group(0) @binding(4) var middle: sampler;
-@group(0) @binding(5) var<storage, read_write> out: array<vec4<f32>>;
+@group(0) @binding(5) var<storage, read_write> out: array<vec4<f32>, 1280>;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {
