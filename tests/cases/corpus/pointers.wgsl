@@ -39,17 +39,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     var state = State(a[i].xyz, 0.9, array(0.0, 1.0, 2.0, 3.0));
-    var rounds = 0.0;
+    var rounds = 0u;
     for (var k = 0u; k < 6u; k++) {
         if !advance(&state, a[i].yzw, i + k) {
             break;
         }
-        rounds += 1.0;
+        rounds += 1u;
     }
     var p = a[i].x;
     var q = a[i].y;
     swap(&p, &q);
     add(&total, p);
     log[i % 3u] = vec2f(q, total);
-    out[i] = array(vec4f(state.position, state.energy), vec4f(state.history[0], state.history[1], state.history[2], rounds), vec4f(log[0] + log[1], log[2]));
+    out[i] = array(vec4f(state.position, state.energy), vec4f(state.history[0], state.history[1], state.history[2], f32(rounds)), vec4f(log[0] + log[1], log[2]));
 }
