@@ -54,13 +54,9 @@ impl Machine<'_> {
     /// # Errors
     /// When the interpreter gives up or panics.
     pub fn bounds(&self, subgroup: Option<u32>) -> Result<Bounds, MachineError> {
-        let owned = Owned::of(self.given)?;
-        if !owned.is_buffers_only() {
-            let what = "bounds where textures are used".to_owned();
-            return Err(InterpError::Unsupported { what, function: String::new() }.into());
-        }
-        self.guarded(subgroup, |machine| machine.shadow_run(self.entry, self.workgroups, &owned.buffers))
-            .map(Bounds)
+        let mut owned = Owned::of(self.given)?;
+        let bounds = |machine: Interpreter<'_>| machine.shadow_run(self.entry, self.workgroups, owned.lend());
+        self.guarded(subgroup, bounds).map(Bounds)
     }
 
     /// Mistakes of the program; their places are those of `text`.
@@ -70,9 +66,8 @@ impl Machine<'_> {
     pub fn mistakes(&self, text: Option<&str>) -> Result<Vec<Mistake>, MachineError> {
         let mut owned = Owned::of(self.given)?;
         let checks = Checks::default();
-        let found = self.guarded(None, |machine| {
-            machine.sanitize(self.entry, self.workgroups, &mut owned.buffers, checks)
-        })?;
+        let found = self
+            .guarded(None, |machine| machine.sanitize(self.entry, self.workgroups, owned.lend(), checks))?;
         let mistake = |finding: lobe_backends::interp::Finding| {
             let who = match finding.invocation {
                 Invocation::Row(row) => format!("row {row}"),
