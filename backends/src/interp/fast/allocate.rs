@@ -84,15 +84,31 @@ fn ranges(program: &Program) -> (Vec<Option<Range>>, u32) {
     scan.block(&program.body);
     scan.at += 1;
     program.results.iter().for_each(|v| scan.touch(*v));
-    // Inner loops were noted before outer ones.
+    let innermost = innermost(scan.loops, scan.at);
     for range in scan.ranges.iter_mut().flatten() {
-        for around in &scan.loops {
-            if range.first <= around.first && range.last > around.first && range.last < around.last {
-                range.last = around.last;
-            }
+        let mut around = innermost[range.last as usize];
+        while let Some(inside) = around.filter(|l| range.first <= l.first) {
+            range.last = inside.last;
+            around = innermost[inside.first as usize];
         }
     }
     (scan.ranges, scan.at)
+}
+
+/// The innermost loop around each place up to `end`; around a loop is what is around its begin.
+fn innermost(mut loops: Vec<Range>, end: u32) -> Vec<Option<Range>> {
+    loops.sort_unstable_by_key(|l| l.first);
+    let mut loops = loops.into_iter().peekable();
+    let mut open: Vec<Range> = Vec::new();
+    let inside = |at: u32| {
+        while open.last().is_some_and(|l| l.last <= at) {
+            open.pop();
+        }
+        let around = open.last().copied();
+        open.extend(loops.next_if(|l| l.first == at));
+        around
+    };
+    (0..=end).map(inside).collect()
 }
 
 /// Slots of one width.
