@@ -1,11 +1,14 @@
 //! Modules of our own with textures and subgroups, each run by the interpreter and by lavapipe: what they leave in their
 //! buffers and textures is the same, bit for bit or within the bound that the module states.
 //!
+//! The judge of the interpreter leaves the same too, and chance drivers stay within its bounds.
+//!
 //! They are those in `tests/cases/corpus` that say how they are run; `options` tells what their first lines mean.
 
 #[path = "../common/mod.rs"]
 mod common;
 mod compare;
+mod judged;
 mod options;
 mod resources;
 

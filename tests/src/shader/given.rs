@@ -83,12 +83,6 @@ impl Owned {
         Resources { buffers: &mut self.buffers, textures: &mut self.textures, samplers: &self.samplers }
     }
 
-    /// Whether there is nothing but buffers.
-    #[must_use]
-    pub fn is_buffers_only(&self) -> bool {
-        self.textures.is_empty() && self.samplers.is_empty()
-    }
-
     /// What now lies at the place of `given`.
     #[must_use]
     pub fn bytes(&self, given: &Given) -> &[u8] {

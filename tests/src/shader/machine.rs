@@ -55,8 +55,8 @@ impl Machine<'_> {
     /// When the interpreter gives up or panics.
     pub fn bounds(&self, subgroup: Option<u32>) -> Result<Bounds, MachineError> {
         let mut owned = Owned::of(self.given)?;
-        let bounds = |machine: Interpreter<'_>| machine.shadow_run(self.entry, self.workgroups, owned.lend());
-        self.guarded(subgroup, bounds).map(Bounds)
+        self.guarded(subgroup, |machine| machine.shadow_run(self.entry, self.workgroups, owned.lend()))
+            .map(Bounds)
     }
 
     /// Mistakes of the program; their places are those of `text`.

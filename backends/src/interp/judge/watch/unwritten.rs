@@ -46,7 +46,7 @@ impl Unwritten {
                         self.write(m, buffer, &m.addresses(offset, index)?, *value);
                         self.used(m, *value)
                     }
-                    // Passes make these, and what is judged has seen none.
+                    // Made by passes; the judge refuses it.
                     Place::Element { .. } => None,
                 };
                 Ok(place_used.or(used).map(|lane| (lane, *at)))
