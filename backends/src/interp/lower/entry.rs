@@ -107,10 +107,13 @@ impl<'m> Lowerer<'m> {
                 };
                 (variable.binding.map(|b| (b.group, b.binding)), bytes, writable)
             }
+            AddressSpace::Immediate => {
+                let (what, name) = ("immediates".to_owned(), variable.name.clone());
+                return Err(InterpError::Unsupported { what, function: name.unwrap_or_default() });
+            }
             AddressSpace::Function
             | AddressSpace::Private
             | AddressSpace::Handle
-            | AddressSpace::Immediate
             | AddressSpace::TaskPayload
             | AddressSpace::RayPayload
             | AddressSpace::IncomingRayPayload => return Ok(None),
