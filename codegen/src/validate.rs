@@ -6,7 +6,7 @@
 
 use crate::module::{Meta, ValidModule};
 use crate::scope;
-use naga::valid::{Capabilities, ValidationError, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ModuleInfo, ValidationError, ValidationFlags, Validator};
 
 /// Why a module is refused.
 #[derive(Debug, thiserror::Error)]
@@ -84,11 +84,22 @@ pub fn foreign(module: naga::Module) -> Result<ValidModule, ValidateError> {
     with(module, Meta::default(), Capabilities::all())
 }
 
-fn with(module: naga::Module, meta: Meta, capabilities: Capabilities) -> Result<ValidModule, ValidateError> {
-    let info = guarded("validator", || {
-        Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(Box::new)
+/// Why a device of these capabilities does not take a module; `None` if it does.
+#[must_use]
+pub fn lacking(module: &ValidModule, capabilities: Capabilities) -> Option<ValidateError> {
+    checked(module.module(), capabilities).err()
+}
+
+/// What naga's validator learns of `module`.
+fn checked(module: &naga::Module, capabilities: Capabilities) -> Result<ModuleInfo, ValidateError> {
+    guarded("validator", || {
+        Validator::new(ValidationFlags::all(), capabilities).validate(module).map_err(Box::new)
     })?
-    .map_err(ValidateError::Invalid)?;
+    .map_err(ValidateError::Invalid)
+}
+
+fn with(module: naga::Module, meta: Meta, capabilities: Capabilities) -> Result<ValidModule, ValidateError> {
+    let info = checked(&module, capabilities)?;
     scope::check(&module)?;
     Ok(ValidModule::new(module, info, meta))
 }

@@ -9,10 +9,14 @@ use super::pipelines::{self, Key, Pipeline, Pipelines};
 use super::{Driver, GpuError, Job, Shader};
 
 /// Asked for where the adapter has them; none changes what a shader without them computes.
-const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
+pub(super) const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
     .union(wgpu::Features::SHADER_F64)
     .union(wgpu::Features::SHADER_F16)
     .union(wgpu::Features::SHADER_INT64)
+    .union(wgpu::Features::SHADER_I16)
+    .union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX)
+    .union(wgpu::Features::SHADER_INT64_ATOMIC_ALL_OPS)
+    .union(wgpu::Features::SHADER_FLOAT32_ATOMIC)
     .union(wgpu::Features::SHADER_I16)
     .union(wgpu::Features::SHADER_INT64_ATOMIC_ALL_OPS)
     .union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX)

@@ -4,6 +4,10 @@ use std::path::PathBuf;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
+use naga::valid::Capabilities;
+use wgpu_naga_bridge::features_to_naga_capabilities;
+
+use super::device::WANTED;
 use super::icd;
 use crate::translate;
 
@@ -25,6 +29,8 @@ pub struct Driver {
     pub has_f64: bool,
     /// Whether SPIR-V can be handed to it unchanged.
     pub has_passthrough: bool,
+    /// What shaders may use beyond what every device has.
+    pub capabilities: Capabilities,
     /// Tells apart several devices of the same name: their place among those of one source.
     index: usize,
 }
@@ -82,6 +88,10 @@ fn describe(adapter: &wgpu::Adapter, vulkan_icd: Option<PathBuf>, index: usize) 
         is_software: info.device_type == wgpu::DeviceType::Cpu,
         has_f64: features.contains(wgpu::Features::SHADER_F64),
         has_passthrough: features.contains(wgpu::Features::PASSTHROUGH_SHADERS),
+        capabilities: features_to_naga_capabilities(
+            features & WANTED,
+            adapter.get_downlevel_capabilities().flags,
+        ),
         index,
     }
 }
@@ -148,6 +158,7 @@ mod tests {
             is_software: false,
             has_f64: false,
             has_passthrough: false,
+            capabilities: Capabilities::empty(),
             index: 0,
         }
     }

@@ -40,7 +40,7 @@ enum Command {
     /// Run a kernel on rows of arguments
     Eval(eval::Args),
     /// Run a compute shader of your own on the interpreter and on every GPU route, and compare
-    Run(run::Args),
+    Run(Box<run::Args>),
     /// Ask kernels the four questions: correct, robust, conformant, agree
     Check(check::Args),
     /// Judge kernels by a folder of tables of high-precision values

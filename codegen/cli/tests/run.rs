@@ -94,7 +94,7 @@ fn what_does_not_fit_the_shader_is_named() {
     assert_eq!(run(&["--entry", "other"]).status.code(), Some(0));
     told(&[], "several compute entry points: `main`, `other`; choose one with --entry");
     told(&["--entry", "third"], "no compute entry point `third`; there is `main`, `other`");
-    told(&["--entry", "main", "--input", "in=zeros"], "no resource `in`; it uses `out` (0:0)");
+    told(&["--entry", "main", "--input", "in=zeros"], "no resource `in`; it has `out` (0:0)");
     told(&["--entry", "main", "--input", &odd], "a multiple of 4; it has 3");
     told(&["--entry", "main", "--input", &bad], "`out[1]` is a non-negative integer of 32 bits, not -1");
     told(&["--entry", "main", "--input", "out=no-such-file"], "no-such-file: cannot be read");
@@ -225,6 +225,51 @@ fn a_process_that_is_no_worker_is_told_apart() {
     let output = serve.output().expect("the binary runs");
     assert!(text(&output.stdout).contains("@lobe \"ready\""));
     assert_eq!(output.status.code(), Some(0), "it ends with its input");
+}
+
+#[test]
+fn a_shader_may_say_itself_how_it_is_run() {
+    let wgsl = format!(
+        "// lobe: --workgroups 2,1,1 --size out=16\n// lobe: --input out=zeros\n{OUT}{MAIN} out[0] = 1u; }}"
+    );
+    let files = "// lobe: --output out=/tmp/stolen\n".to_owned() + &wgsl;
+    let folder = folder(&[("a.wgsl", wgsl.as_bytes()), ("b.wgsl", files.as_bytes())]);
+    let run = |name: &str, rest: &[&str]| {
+        let shader = at(&folder, name);
+        lobe(&[&["run", &shader, "--format", "json", "--route", "interp"], rest].concat())
+    };
+    let report: Value =
+        serde_json::from_str(&assert_holds(&run("a.wgsl", &["--size", "out=32"]))).expect("JSON");
+    assert_eq!(report["workgroups"], serde_json::json!([2, 1, 1]));
+    let input = &report["inputs"][0];
+    assert_eq!((&input["bytes"], &input["from"]), (&32.into(), &"zeros".into()), "the command line wins");
+    assert_fails(&run("b.wgsl", &[]), 2, &["b.wgsl:1: a shader's own options may name no files"]);
+}
+
+#[test]
+fn textures_have_a_shape_and_texels() {
+    let wgsl = "
+        @group(0) @binding(0) var image: texture_2d<u32>;
+        @group(0) @binding(1) var result: texture_storage_2d<r32uint, write>;
+        @group(0) @binding(2) var how: sampler;
+        @compute @workgroup_size(1) fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+            textureStore(result, id.xy, textureLoad(image, id.xy, 0) * 2u);
+        }";
+    let folder = folder(&[("a.wgsl", wgsl.as_bytes()), ("image.bin", &[1, 2, 3, 4, 5, 6])]);
+    let (shader, image) = (at(&folder, "a.wgsl"), format!("image={}", at(&folder, "image.bin")));
+    let output = format!("result={}", at(&folder, "result.json"));
+    let run = |rest: &[&str]| {
+        let args = ["run", &shader, "--workgroups", "3,2", "--route", "interp", "--input", &image];
+        lobe(&[&args[..], &["--texture", "result=r32uint:3x2x1"], rest].concat())
+    };
+    let fits = ["--texture", "image=r8uint:3x2x1", "--sampler", "how=linear,repeat", "--output", &output];
+    assert_holds(&run(&fits));
+    let written = std::fs::read_to_string(folder.path().join("result.json")).expect("readable");
+    assert_eq!(written.trim(), "[[[2,4,6],[8,10,12]]]");
+    let output = run(&["--texture", "image=r8uint:4x4x1"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stdout).contains("has 16 bytes, but 6 were given"), "{}", text(&output.stdout));
+    assert_fails(&run(&["--texture", "image=r8:1x1x1"]), 2, &["`r8` is no texture format"]);
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! One entry point: given its resources, run everywhere, compared.
 
-use super::compare::{Compared, compare};
+use super::compare::{Compared, Permit, compare};
 use super::feed::{self, Feed, Said};
 use super::given::{Given, Owned};
 use super::job::{GivenUp, Job};
 use super::json;
 use super::machine::{self, Bounds, Machine};
+use super::number;
 use super::report::{Input, Report, RouteReport, RouteStatus, Status};
 use super::resource::{self, Resource};
 use super::routes::{Routes, ShaderRoute, Subject};
@@ -58,6 +59,8 @@ impl<'t, 's> Trial<'t, 's> {
     fn judge(&mut self, source: &Source, module: &ValidModule, entry: &str) -> Res<()> {
         self.steps.begin(Some(entry), "interp")?;
         let job = self.steps.job;
+        let all = resource::names(module.module());
+        names(job).try_for_each(|name| known(&all, name))?;
         let overrides: Vec<Override> = job
             .overrides
             .iter()
@@ -99,7 +102,6 @@ impl<'t, 's> Trial<'t, 's> {
     /// What is given for each resource.
     fn fill(&mut self, resources: &[Resource]) -> Res<Vec<Given>> {
         let job = self.steps.job;
-        names(job).try_for_each(|name| known(resources, name))?;
         let volume = |sides: [u32; 3]| sides.iter().map(|n| u64::from(*n)).fold(1, u64::saturating_mul);
         let invocations = volume(self.report.workgroup_size).saturating_mul(volume(job.workgroups));
         if invocations > INVOCATIONS {
@@ -169,11 +171,12 @@ impl<'t, 's> Trial<'t, 's> {
             references.push(Reference { subgroup, ours: machine.run(subgroup)?, bounds: None });
         }
         let reference = &mut references[at];
-        let compared = compare_all(subject.given, reference, found);
+        let within = &self.steps.job.within;
+        let compared = compare_all(subject.given, reference, within, found);
         if reference.bounds.is_none() && compared.iter().any(|c| c.differing > 0) {
             let begun = self.steps.begin(Some(subject.entry), "bounds");
             reference.bounds = Some(begun.ok().and_then(|()| machine.bounds(subgroup).ok()));
-            let compared = compare_all(subject.given, reference, found);
+            let compared = compare_all(subject.given, reference, within, found);
             return Ok(RouteReport::compared(&route.to_string(), compared));
         }
         Ok(RouteReport::compared(&route.to_string(), compared))
@@ -205,13 +208,26 @@ impl<'t, 's> Trial<'t, 's> {
     }
 }
 
-/// Every resource that the shader may write, by the bounds if they are known.
-fn compare_all(given: &[Given], reference: &Reference, found: &[Vec<u8>]) -> Vec<Compared> {
+/// Every resource that the shader may write, by the bounds if they are known, else by what the user permits.
+fn compare_all(
+    given: &[Given],
+    reference: &Reference,
+    within: &[(String, f64)],
+    found: &[Vec<u8>],
+) -> Vec<Compared> {
     let bounds = reference.bounds.as_ref().and_then(Option::as_ref);
     let written = given.iter().filter(|g| g.is_written()).zip(found);
     let compared = written.map(|(given, theirs)| {
-        let permit = |at, scalar| machine::permit(bounds, given, at, scalar);
-        compare(given, reference.ours.bytes(given), theirs, permit)
+        let ours = reference.ours.bytes(given);
+        let stated = within.iter().rev().find(|(name, _)| given.is_called(name)).map(|(_, bound)| *bound);
+        let permit = |at, scalar: naga::Scalar| match (machine::permit(bounds, given, at, scalar), stated) {
+            (Permit::Unknown, Some(bound)) if number::is_float(scalar) => {
+                let exact = number::float(scalar.width, &ours[at..at + usize::from(scalar.width)]);
+                Permit::Around { exact, bound }
+            }
+            (permit, _) => permit,
+        };
+        compare(given, ours, theirs, permit)
     });
     compared.collect()
 }
@@ -220,7 +236,8 @@ fn compare_all(given: &[Given], reference: &Reference, found: &[Vec<u8>]) -> Vec
 fn names(job: &Job) -> impl Iterator<Item = &String> {
     let bytes = job.inputs.iter().map(|i| &i.0).chain(job.sizes.iter().map(|s| &s.0));
     let shapes = job.textures.iter().map(|t| &t.0).chain(job.samplers.iter().map(|s| &s.0));
-    bytes.chain(shapes).chain(job.outputs.iter().map(|o| &o.0))
+    let results = job.outputs.iter().map(|o| &o.0).chain(job.within.iter().map(|w| &w.0));
+    bytes.chain(shapes).chain(results)
 }
 
 /// The last of `list` that means `resource`: what comes later on a command line wins.
@@ -228,13 +245,13 @@ fn last<'l, T>(list: &'l [(String, T)], resource: &Resource) -> Option<&'l T> {
     list.iter().rev().find(|(name, _)| resource.is_called(name)).map(|(_, value)| value)
 }
 
-fn known(resources: &[Resource], name: &str) -> Res<()> {
-    if resources.iter().any(|r| r.is_called(name)) {
+fn known(all: &[(String, String)], wanted: &str) -> Res<()> {
+    if all.iter().any(|(name, place)| name == wanted || place == wanted) {
         return Ok(());
     }
-    let names: Vec<String> = resources.iter().map(|r| format!("`{}` ({})", r.name, r.place())).collect();
+    let names: Vec<String> = all.iter().map(|(name, place)| format!("`{name}` ({place})")).collect();
     let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-    stop(Status::Error, format!("the entry point uses no resource `{name}`; it uses {names}"))
+    stop(Status::Error, format!("the shader has no resource `{wanted}`; it has {names}"))
 }
 
 /// Where the bytes of a resource came from, and what it is if it is no buffer.
@@ -251,8 +268,7 @@ fn described(given: &Given, feed: &Feed) -> String {
 /// Writes the interpreter's results where they are asked for.
 fn write(job: &Job, given: &[Given], ours: &Owned) -> Res<()> {
     for (name, path) in &job.outputs {
-        let is_meant = |g: &&Given| g.name == *name || format!("{}:{}", g.group, g.binding) == *name;
-        let Some(given) = given.iter().find(is_meant) else { continue };
+        let Some(given) = given.iter().find(|g| g.is_called(name)) else { continue };
         let bytes = ours.bytes(given);
         let bytes = match path.extension() {
             Some(e) if e == "json" => format!("{}\n", json::value(&given.shape, bytes)).into_bytes(),

@@ -25,6 +25,12 @@ pub struct Given {
 }
 
 impl Given {
+    /// Whether a user means it by `name`, which may be `group:binding`.
+    #[must_use]
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name == name || format!("{}:{}", self.group, self.binding) == name
+    }
+
     /// Whether the shader may write it.
     #[must_use]
     pub fn is_written(&self) -> bool {

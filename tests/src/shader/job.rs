@@ -24,6 +24,8 @@ pub struct Job {
     pub textures: Vec<(String, Sketch)>,
     /// Samplers.
     pub samplers: Vec<(String, SamplerWords)>,
+    /// How far floats may be from the interpreter's where no bound is derived.
+    pub within: Vec<(String, f64)>,
     /// Whether to look for mistakes of the program itself.
     pub sanitize: bool,
     /// Values of pipeline-overridable constants.

@@ -6,8 +6,9 @@ use super::number;
 use super::report::Mistake;
 use lobe_backends::interp::{Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowWord};
 use lobe_codegen::ValidModule;
+use lobe_codegen::validate::lacking;
 use naga::Scalar;
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::Capabilities;
 
 /// One entry point on the interpreter.
 #[derive(Debug, Clone, Copy)]
@@ -102,8 +103,7 @@ impl Machine<'_> {
 #[must_use]
 pub fn uses_subgroups(module: &ValidModule) -> bool {
     let without = Capabilities::all() - Capabilities::SUBGROUP - Capabilities::SUBGROUP_BARRIER;
-    let validated = || Validator::new(ValidationFlags::all(), without).validate(module.module()).is_err();
-    lobe_codegen::quietly(validated).unwrap_or(true)
+    lacking(module, without).is_some()
 }
 
 /// What permitted drivers may leave.

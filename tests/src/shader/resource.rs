@@ -71,6 +71,16 @@ pub fn of(module: &ValidModule, entry: usize) -> Result<Vec<Resource>, String> {
     bound.filter_map(|(_, variable)| resource(module, variable).transpose()).collect()
 }
 
+/// Names and places of all resources of a module, also of those that its entry points do not use.
+#[must_use]
+pub fn names(module: &Module) -> Vec<(String, String)> {
+    let bound = module.global_variables.iter().filter_map(|(_, variable)| {
+        let place = variable.binding.map(|b| format!("{}:{}", b.group, b.binding))?;
+        Some((named(module, variable).unwrap_or_else(|| place.clone()), place))
+    });
+    bound.collect()
+}
+
 /// `None` for variables of invocations and workgroups.
 fn resource(module: &Module, variable: &GlobalVariable) -> Result<Option<Resource>, String> {
     let kind = match variable.space {

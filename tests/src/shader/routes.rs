@@ -9,6 +9,7 @@ use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
 use lobe_codegen::ValidModule;
 use lobe_codegen::emit::{Content, EmitError, Plain, Target, plain};
 use lobe_codegen::foreign::{Language, Source};
+use lobe_codegen::validate;
 use std::collections::HashMap;
 use std::time::Duration;
 
@@ -126,6 +127,7 @@ impl Routes {
         subject: &Subject<'_>,
         timeout: Duration,
     ) -> Result<Vec<Vec<u8>>, Failure> {
+        self.check_capabilities(route, subject)?;
         let plain = self.written(route, subject)?;
         let shader = match &plain.content {
             Content::Text(text) => Shader::Wgsl(text),
@@ -142,6 +144,16 @@ impl Routes {
             bindings: &bindings,
         };
         gpu.run(&job).map_err(|e| Failure::of_gpu(&e))
+    }
+
+    /// A driver may crash on what it does not know.
+    fn check_capabilities(&self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<(), Failure> {
+        let driver = self.machine.drivers().iter().find(|d| d.name == route.driver);
+        let lacking = driver.and_then(|d| validate::lacking(subject.module, d.capabilities));
+        match lacking {
+            Some(why) => Err(Failure::refused(format!("{} does not take the shader: {why}", route.driver))),
+            None => Ok(()),
+        }
     }
 
     /// Invocations of a subgroup on the route's driver; `None` if it has no subgroups.

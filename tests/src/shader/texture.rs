@@ -4,7 +4,7 @@ use super::shape::Shape;
 use crate::domain::Rng;
 use lobe_backends::gpu::{Access, BindingKind};
 use lobe_backends::texture::{Address, Compare, Dimension, Filter, Format, Kind, Sampler, TextureShape};
-use naga::{ImageClass, ImageDimension, Scalar, ScalarKind, StorageAccess, VectorSize};
+use naga::{ImageClass, ImageDimension, Scalar, ScalarKind, StorageAccess};
 
 /// Texels along each side of a texture of which nothing is said.
 const SIDE: u32 = 16;
@@ -201,7 +201,8 @@ pub fn channels(shape: TextureShape) -> (Shape, bool) {
     let (name, bytes) = (shape.format.to_string(), shape.format.bytes());
     let letters = name.chars().take_while(char::is_ascii_alphabetic).filter(|c| "rgba".contains(*c)).count();
     // Channels of one width lie side by side; others are taken as one number.
-    let is_even = [1, 2, 4].contains(&letters) && bytes.is_multiple_of(letters) && !name.starts_with("rgb10");
+    let is_packed = name.starts_with("rgb10") || name.starts_with("rg11");
+    let is_even = [1, 2, 4].contains(&letters) && bytes.is_multiple_of(letters) && !is_packed;
     let count = if is_even { letters } else { 1 };
     let width = bytes / count;
     let kind = match shape.format.kind() {
@@ -218,7 +219,7 @@ pub fn channels(shape: TextureShape) -> (Shape, bool) {
         is_vector,
     };
     let one = Shape::Scalar { scalar, is_atomic: false };
-    let texel = if count > VectorSize::Bi as usize - 1 { list(one, count as u32, width, true) } else { one };
+    let texel = if count > 1 { list(one, count as u32, width, true) } else { one };
     let [w, h, d] = shape.size;
     let (row, page) = (bytes * w as usize, bytes * w as usize * h as usize);
     (list(list(list(texel, w, bytes, false), h, row, false), d * shape.layers, page, false), is_coded)

@@ -7,6 +7,9 @@ use lobe_tests::shader::is_shader;
 use lobe_tests::shader::job::{Entry, Job};
 use std::path::{Path, PathBuf};
 
+/// Begins a line of a shader's text that holds options for it.
+const MARK: &str = "// lobe: ";
+
 /// A line of a list.
 #[derive(Debug, clap::Parser)]
 #[command(name = "line", disable_help_flag = true)]
@@ -27,7 +30,7 @@ pub(super) fn jobs(list: &Path, common: &JobArgs) -> Result<Vec<Job>, Fail> {
                 list.display()
             )));
         }
-        return Ok(files.into_iter().map(|file| common.job(file, Entry::Each)).collect());
+        return files.into_iter().map(|file| one(file, common, Entry::Each)).collect();
     }
     let text = std::fs::read_to_string(list).map_err(|cause| Fail::Read { path: list.to_owned(), cause })?;
     let lines = (1..).zip(text.lines().map(str::trim)).filter(|(_, l)| !l.is_empty() && !l.starts_with('#'));
@@ -41,12 +44,33 @@ pub(super) fn jobs(list: &Path, common: &JobArgs) -> Result<Vec<Job>, Fail> {
 
 fn job(list: &Path, number: usize, line: &str, common: &JobArgs) -> Result<Job, Fail> {
     let told = |what: &str| Fail::Usage(format!("{}:{number}: {what}", list.display()));
-    let words = shlex::split(line).ok_or_else(|| told("a quote is not closed"))?;
-    let words = std::iter::once("line".to_owned()).chain(words);
-    let parsed = Line::try_parse_from(words).map_err(|e| told(e.to_string().trim_end()))?;
-    let args = parsed.job.or(common);
+    let args = parsed(line).map_err(|e| told(&e))?.or(common);
     let file = args.file.clone().ok_or_else(|| told("no shader is named"))?;
-    Ok(args.job(file, Entry::Each))
+    one(file, &args, Entry::Each)
+}
+
+/// The options in a line.
+fn parsed(line: &str) -> Result<JobArgs, String> {
+    let words = shlex::split(line).ok_or("a quote is not closed")?;
+    let parsed = Line::try_parse_from(std::iter::once("line".to_owned()).chain(words));
+    parsed.map(|line| line.job).map_err(|e| e.to_string().trim_end().to_owned())
+}
+
+/// The job for `file`, with the options of `args` and, below those, of the lines of its text that begin with [`MARK`].
+pub(super) fn one(file: PathBuf, args: &JobArgs, entries: Entry) -> Result<Job, Fail> {
+    // What cannot be read, or is no text, has no options; the run says what is wrong with it.
+    let text = std::fs::read_to_string(&file).unwrap_or_default();
+    let mut own = JobArgs::default();
+    for (number, line) in (1..).zip(text.lines()) {
+        let Some(line) = line.strip_prefix(MARK) else { continue };
+        let told = |what: &str| Fail::Usage(format!("{}:{number}: {what}", file.display()));
+        let more = parsed(line).map_err(|e| told(&e))?;
+        if more.names_files() {
+            return Err(told("a shader's own options may name no files"));
+        }
+        own = more.or(&own);
+    }
+    Ok(args.clone().or(&own).job(file, entries))
 }
 
 fn shaders(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), Fail> {

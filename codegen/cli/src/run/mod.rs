@@ -41,6 +41,8 @@ FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1
 or else the bytes themselves. \
 A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
 
+Lines of a shader's text that begin with `// lobe: ` hold options for it; the command line wins over them.
+
 A batch runs every compute entry point of a file that names none. In a list, what a line says wins over \
 what the command line says; empty lines and lines that begin with # are passed over.
 
@@ -57,7 +59,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     }
     let jobs = match (&args.batch, &args.job.file) {
         (Some(list), _) => list::jobs(list, &args.job)?,
-        (None, Some(file)) => vec![args.job.job(file.clone(), Entry::Only)],
+        (None, Some(file)) => vec![list::one(file.clone(), &args.job, Entry::Only)?],
         (None, None) => {
             return Err(Fail::Usage("name a shader, or a list of shaders with --batch".to_owned()));
         }

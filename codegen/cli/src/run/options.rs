@@ -37,6 +37,9 @@ pub(super) struct JobArgs {
     /// Words for a sampler: linear, mip-linear, repeat, mirror, less, .., lod:LOW:HIGH [default: nearest]
     #[arg(long = "sampler", value_name = "NAME=WORD,..", value_parser = named::<SamplerWords>)]
     samplers: Vec<(String, SamplerWords)>,
+    /// How far floats of NAME may be from the interpreter's where no bound is derived, as with textures
+    #[arg(long = "within", value_name = "NAME=BOUND", value_parser = named::<f64>)]
+    within: Vec<(String, f64)>,
     /// Look for mistakes of the program itself: out of bounds, races, division by zero, ..
     #[arg(long)]
     sanitize: bool,
@@ -66,6 +69,7 @@ impl JobArgs {
             sizes: self.sizes.clone(),
             textures: self.textures.clone(),
             samplers: self.samplers.clone(),
+            within: self.within.clone(),
             sanitize: self.sanitize,
             overrides: self.overrides.clone(),
             routes: self.routes.clone(),
@@ -73,6 +77,12 @@ impl JobArgs {
             timeout: self.timeout.unwrap_or(TIMEOUT),
             given_up: Vec::new(),
         }
+    }
+
+    /// Whether these name files beside the shader, which the shader's own text must not do.
+    pub(super) fn names_files(&self) -> bool {
+        let reads = self.inputs.iter().any(|(_, feed)| matches!(feed, Feed::File(_)));
+        reads || self.file.is_some() || !self.outputs.is_empty()
     }
 
     /// What these say, and else what `common` says; of values by name, both.
@@ -86,6 +96,7 @@ impl JobArgs {
             sizes: [common.sizes.clone(), self.sizes].concat(),
             textures: [common.textures.clone(), self.textures].concat(),
             samplers: [common.samplers.clone(), self.samplers].concat(),
+            within: [common.within.clone(), self.within].concat(),
             sanitize: self.sanitize || common.sanitize,
             overrides: [common.overrides.clone(), self.overrides].concat(),
             routes: if self.routes.is_empty() { common.routes.clone() } else { self.routes },
