@@ -27,5 +27,7 @@ mod shadow;
 mod shadow_runs;
 #[path = "interp/soundness.rs"]
 mod soundness;
+#[path = "interp/textures.rs"]
+mod textures;
 #[path = "interp/truths.rs"]
 mod truths;

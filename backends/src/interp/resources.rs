@@ -136,7 +136,10 @@ fn misfit(wanted: &program::Image, shape: &TextureShape) -> Option<String> {
     let single = !matches!(wanted.class, ImageClass::Storage { .. }) || shape.levels == 1;
     let fits = fits && single && shape.samples == samples && shape.dimension == wanted.dimension;
     let levels = if single { "" } else { ", 1 level" };
-    (!fits).then(|| format!("a {} texture of {texels}, {samples} a texel{levels}", wanted.dimension))
+    let plural = if samples == 1 { "" } else { "s" };
+    (!fits).then(|| {
+        format!("a {} texture of {texels}, {samples} sample{plural} a texel{levels}", wanted.dimension)
+    })
 }
 
 /// The sampler of each variable.

@@ -1,0 +1,121 @@
+//! Textures and subgroups of the interpreter alone: what is refused, and orders that must not show.
+
+use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, InterpError, Interpreter, Resources};
+use lobe_backends::texture::{Compare, Dimension, Sampler, Sketch, Texture};
+use lobe_codegen::{ValidModule, validate};
+
+/// A module that may have subgroups.
+fn module(text: &str) -> ValidModule {
+    validate::foreign_wgsl(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+fn texture(binding: u32, sketch: &str, dimension: Dimension) -> BoundTexture {
+    let shape = sketch.parse::<Sketch>().unwrap().shape(dimension, 1);
+    BoundTexture { group: 0, binding, texture: Texture::zeros(shape).unwrap() }
+}
+
+fn flat(binding: u32, sketch: &str) -> BoundTexture {
+    texture(binding, sketch, Dimension::D2)
+}
+
+fn run(
+    text: &str,
+    groups: [u32; 3],
+    buffers: &mut [Buffer],
+    textures: &mut [BoundTexture],
+    samplers: &[BoundSampler],
+) -> Result<(), InterpError> {
+    let module = module(text);
+    Interpreter::new(&module)?.run(0, groups, Resources { buffers, textures, samplers })
+}
+
+const SAMPLE: &str = "
+    @group(0) @binding(0) var image: texture_2d<f32>;
+    @group(0) @binding(1) var how: sampler;
+    @group(0) @binding(2) var goal: texture_storage_2d<r32float, write>;
+    @compute @workgroup_size(1)
+    fn main() { textureStore(goal, vec2u(), textureSampleLevel(image, how, vec2f(0.5), 0.0)); }";
+
+#[track_caller]
+fn refused(textures: &mut [BoundTexture], samplers: &[BoundSampler], part: &str) {
+    let message = run(SAMPLE, [1; 3], &mut [], textures, samplers).unwrap_err().to_string();
+    assert!(message.contains(part), "{message}");
+}
+
+#[test]
+fn what_does_not_fit_is_refused_by_name() {
+    let sampler = |sampler| [BoundSampler { group: 0, binding: 1, sampler }];
+    let (plain, goal) = (sampler(Sampler::default()), || flat(2, "r32float:1"));
+    refused(&mut [goal()], &plain, "no texture was given for `image` (group 0, binding 0)");
+    refused(&mut [flat(0, "rgba8unorm:2x2"), goal()], &[], "no sampler was given for `how`");
+    refused(
+        &mut [flat(0, "rgba8uint:2x2"), goal()],
+        &plain,
+        "`image` is a 2d texture of floats, 1 sample a texel; it cannot be rgba8uint 2d 2x2x1",
+    );
+    let block = texture(0, "rgba8unorm:2x2x2", Dimension::D3);
+    refused(&mut [block, goal()], &plain, "it cannot be rgba8unorm 3d 2x2x2");
+    let comparing = sampler(Sampler::default().comparing(Compare::Less));
+    refused(&mut [flat(0, "r8unorm:1"), goal()], &comparing, "give it one without comparison");
+    refused(&mut [flat(0, "r8unorm:1"), flat(2, "r32uint:1")], &plain, "`goal` is a 2d texture of r32float");
+    assert_eq!(run(SAMPLE, [1; 3], &mut [], &mut [flat(0, "r8unorm:1"), goal()], &plain), Ok(()));
+}
+
+fn words(texture: &BoundTexture) -> Vec<u32> {
+    texture.texture.bytes().chunks(4).map(|c| u32::from_le_bytes(c.try_into().unwrap())).collect()
+}
+
+#[test]
+fn texels_that_invocations_share_are_written_in_turn() {
+    // Every 64th invocation shares a texel: the last one's number stays.
+    let text = "
+        @group(0) @binding(0) var goal: texture_storage_2d<r32uint, write>;
+        @compute @workgroup_size(64)
+        fn main(@builtin(global_invocation_id) id: vec3u) {
+            textureStore(goal, vec2u(id.x % 8u, id.x / 8u % 8u), vec4u(id.x));
+        }";
+    let mut textures = [flat(0, "r32uint:8x8")];
+    run(text, [2000, 1, 1], &mut [], &mut textures, &[]).unwrap();
+    let last: Vec<u32> = (0..64).map(|i| 1999 * 64 + i).collect();
+    assert_eq!(words(&textures[0]), last);
+}
+
+#[test]
+fn texels_of_their_own_may_be_read_and_written_at_once() {
+    let text = "
+        @group(0) @binding(0) var goal: texture_storage_2d<r32uint, read_write>;
+        @compute @workgroup_size(8, 8)
+        fn main(@builtin(global_invocation_id) id: vec3u) {
+            let old = textureLoad(goal, id.xy).x;
+            textureStore(goal, id.xy, vec4u(old + id.y * 256u + id.x));
+        }";
+    let mut textures = [flat(0, "r32uint:256x200")];
+    run(text, [32, 25, 1], &mut [], &mut textures, &[]).unwrap();
+    run(text, [32, 25, 1], &mut [], &mut textures, &[]).unwrap();
+    let twice: Vec<u32> = (0..256 * 200).map(|i| 2 * i).collect();
+    assert_eq!(words(&textures[0]), twice);
+}
+
+#[test]
+fn subgroups_are_consecutive_invocations_of_the_size_that_is_asked_for() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> out: array<vec4u, 40>;
+        @compute @workgroup_size(40)
+        fn main(@builtin(local_invocation_index) i: u32, @builtin(subgroup_size) size: u32,
+                @builtin(subgroup_id) subgroup: u32, @builtin(num_subgroups) count: u32) {
+            out[i] = vec4u(size, subgroup, count, subgroupAdd(1u));
+        }";
+    let module = module(text);
+    for size in [4, 16, 64] {
+        let mut buffers = [Buffer { group: 0, binding: 0, data: vec![0; 640] }];
+        let interpreter = Interpreter::new(&module).unwrap().with_subgroup_size(size);
+        interpreter.run(0, [1; 3], &mut buffers).unwrap();
+        let found: Vec<u32> =
+            buffers[0].data.chunks(4).map(|c| u32::from_le_bytes(c.try_into().unwrap())).collect();
+        // The last subgroup of a workgroup may not be full.
+        let full = |subgroup: u32| size.min(40 - subgroup * size);
+        let expected: Vec<u32> =
+            (0..40).flat_map(|i| [size, i / size, 40u32.div_ceil(size), full(i / size)]).collect();
+        assert_eq!(found, expected, "{size}");
+    }
+}
