@@ -123,8 +123,9 @@ fn check_texture(limits: &wgpu::Limits, binding: &Binding, shape: &TextureShape)
     if shape.samples > 1 && binding.data.iter().any(|byte| *byte != 0) {
         return misfit(binding, shape, "with several samples a texel, only zeros can be sent to a device");
     }
-    if shape.format == Format::Depth32Float && binding.data.iter().any(|byte| *byte != 0) {
-        return misfit(binding, shape, "only zeros can be sent to a device; use depth16unorm");
+    let depths = binding.data.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
+    if shape.format == Format::Depth32Float && !depths.into_iter().all(|d| (0.0..=1.0).contains(&d)) {
+        return misfit(binding, shape, "a device takes depths from 0 to 1 only");
     }
     let limit = match shape.dimension {
         Dimension::D1 => limits.max_texture_dimension_1d,
@@ -173,6 +174,7 @@ fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding, most: u6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::Access;
 
     fn job<'a>(workgroup_size: [u32; 3], groups: [u32; 3], bindings: &'a [Binding<'a>]) -> Job<'a> {
         Job { shader: Shader::Wgsl(""), entry: "main", workgroup_size, groups, bindings }
@@ -214,6 +216,30 @@ mod tests {
         refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 68])]), "68 bytes, the driver allows 64");
         refused(&job([1; 3], [1; 3], &[storage(9, 0, &[0; 4])]), "groups end at 3");
         refused(&job([1; 3], [1; 3], &[storage(0, 0, &[0; 4]), storage(0, 0, &[0; 4])]), "bound twice");
+    }
+
+    #[test]
+    fn textures_and_samplers_that_no_device_binds() {
+        let flat = TextureShape::new(Format::Depth32Float, Dimension::D2, [2, 1, 1]);
+        let texture = |kind, data| [Binding { group: 0, binding: 5, kind, data }];
+
+        let cases = [
+            (BindingKind::Texture(flat), [0; 4].as_slice(), "has 8 bytes, but 4 were given"),
+            (BindingKind::Texture(flat), &[0xff; 8], "depths from 0 to 1"),
+            (BindingKind::Texture(TextureShape { samples: 4, ..flat }), &[1; 32], "only zeros"),
+            (BindingKind::StorageTexture(flat, Access::Write), &[0; 8], "no depths"),
+            (
+                BindingKind::Texture(TextureShape { size: [1 << 20, 1, 1], ..flat }),
+                &[0; 1 << 22],
+                "texels along",
+            ),
+            (BindingKind::Sampler(Sampler { lod: [2.0, 1.0], ..Sampler::default() }), &[], "in order"),
+            (BindingKind::Sampler(Sampler::default()), &[0], "no bytes"),
+        ];
+        for (kind, data, part) in cases {
+            let bindings = texture(kind, data);
+            refused(&job([1; 3], [1; 3], &bindings), part);
+        }
     }
 
     #[test]

@@ -36,6 +36,7 @@
 
 mod bindings;
 mod check;
+mod depth;
 mod device;
 mod driver;
 mod error;

@@ -1,6 +1,6 @@
 //! Textures and samplers of one job.
 
-use super::{Access, Binding};
+use super::{Access, Binding, depth};
 use crate::texture::{Address, Compare, Dimension, Filter, Format, Kind, Sampler, TextureShape};
 
 /// A texture of a job, with what its texels are copied back to if the shader writes it.
@@ -22,7 +22,11 @@ impl Bound {
         let texture = device.create_texture(&descriptor(&shape, access));
         let mut at = 0;
         // What is multisampled can only be zero (`check`), and textures begin so.
-        for level in (0..shape.levels).filter(|_| shape.samples == 1) {
+        let is_drawn = shape.samples == 1 && depth::is_drawn(&shape);
+        if is_drawn {
+            depth::fill(device, queue, &texture, &shape, binding.data);
+        }
+        for level in (0..shape.levels).filter(|_| shape.samples == 1 && !is_drawn) {
             let [width, height, _] = shape.level_size(level);
             let texels = &binding.data[at..at + shape.level_bytes(level)];
             at += texels.len();
@@ -75,6 +79,18 @@ impl Bound {
     }
 }
 
+/// One layer of one level.
+pub(super) fn view_of(texture: &wgpu::Texture, level: u32, layer: u32) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2),
+        base_mip_level: level,
+        mip_level_count: Some(1),
+        base_array_layer: layer,
+        array_layer_count: Some(1),
+        ..Default::default()
+    })
+}
+
 /// Bytes of a row in a buffer that a texture is copied to.
 fn padded_row(shape: &TextureShape) -> usize {
     let row = shape.size[0] as usize * shape.format.bytes();
@@ -101,7 +117,7 @@ fn descriptor(shape: &TextureShape, access: Option<Access>) -> wgpu::TextureDesc
     };
     let shared = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::COPY_SRC;
     let usage = match access {
-        None if shape.samples > 1 => {
+        None if shape.samples > 1 || depth::is_drawn(shape) => {
             wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::RENDER_ATTACHMENT
         }
         None => shared | wgpu::TextureUsages::TEXTURE_BINDING,

@@ -3,7 +3,7 @@
 use crate::options::{Fill, Options};
 use lobe_backends::gpu::{Access, Binding, BindingKind};
 use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, Resources};
-use lobe_backends::texture::{Dimension, Texture, TextureShape};
+use lobe_backends::texture::{Dimension, Format, Texture, TextureShape};
 use naga::{AddressSpace, ImageClass, ImageDimension, Module, ScalarKind, StorageAccess, TypeInner};
 
 /// What one variable is given.
@@ -134,6 +134,9 @@ fn texels(shape: TextureShape, class: ImageClass, fill: Fill) -> Vec<u8> {
     let size = shape.format.bytes();
     let floats = shape.format.to_string().ends_with("float");
     let mut texel = || {
+        if shape.format == Format::Depth32Float {
+            return u128::from((chance.float().abs() as f32).to_bits());
+        }
         if floats {
             return shape.format.encode([(); 4].map(|()| (chance.float() as f32).to_bits().into()));
         }

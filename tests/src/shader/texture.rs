@@ -180,7 +180,7 @@ fn access(access: StorageAccess) -> Access {
     }
 }
 
-/// Texels by chance: any codes, but of floats numbers from -1 to 1. What is multisampled can only begin as zeros.
+/// Texels by chance: any codes, but of floats numbers from -1 to 1, of depths from 0. What is multisampled can only begin as zeros.
 #[must_use]
 pub fn drawn(shape: TextureShape, rng: &mut Rng) -> Vec<u8> {
     let size = shape.format.bytes();
@@ -188,7 +188,9 @@ pub fn drawn(shape: TextureShape, rng: &mut Rng) -> Vec<u8> {
         return vec![0; shape.bytes()];
     }
     let is_float = shape.format.to_string().ends_with("float");
+    let is_depth = shape.format.kind() == Kind::Depth;
     let mut texel = || match is_float {
+        true if is_depth => u128::from((rng.range(0.0, 1.0) as f32).to_bits()),
         true => shape.format.encode([(); 4].map(|()| (rng.range(-1.0, 1.0) as f32).to_bits().into())),
         false => u128::from(rng.bits()) << 64 | u128::from(rng.bits()),
     };
