@@ -1,7 +1,7 @@
 //! Textures and subgroups of the interpreter alone: what is refused, and orders that must not show.
 
 use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, InterpError, Interpreter, Resources};
-use lobe_backends::texture::{Compare, Dimension, Sampler, Sketch, Texture};
+use lobe_backends::texture::{Compare, Dimension, Format, Sampler, Texture, TextureShape};
 use lobe_codegen::{ValidModule, validate};
 
 /// A module that may have subgroups.
@@ -9,13 +9,14 @@ fn module(text: &str) -> ValidModule {
     validate::foreign_wgsl(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-fn texture(binding: u32, sketch: &str, dimension: Dimension) -> BoundTexture {
-    let shape = sketch.parse::<Sketch>().unwrap().shape(dimension, 1);
+/// Zeros of a format and size.
+fn texture(binding: u32, format: &str, size: [u32; 3], dimension: Dimension) -> BoundTexture {
+    let shape = TextureShape::new(Format::named(format).unwrap(), dimension, size);
     BoundTexture { group: 0, binding, texture: Texture::zeros(shape).unwrap() }
 }
 
-fn flat(binding: u32, sketch: &str) -> BoundTexture {
-    texture(binding, sketch, Dimension::D2)
+fn flat(binding: u32, format: &str, [width, height]: [u32; 2]) -> BoundTexture {
+    texture(binding, format, [width, height, 1], Dimension::D2)
 }
 
 fn run(
@@ -45,20 +46,24 @@ fn refused(textures: &mut [BoundTexture], samplers: &[BoundSampler], part: &str)
 #[test]
 fn what_does_not_fit_is_refused_by_name() {
     let sampler = |sampler| [BoundSampler { group: 0, binding: 1, sampler }];
-    let (plain, goal) = (sampler(Sampler::default()), || flat(2, "r32float:1"));
+    let (plain, goal) = (sampler(Sampler::default()), || flat(2, "r32float", [1, 1]));
     refused(&mut [goal()], &plain, "no texture was given for `image` (group 0, binding 0)");
-    refused(&mut [flat(0, "rgba8unorm:2x2"), goal()], &[], "no sampler was given for `how`");
+    refused(&mut [flat(0, "rgba8unorm", [2, 2]), goal()], &[], "no sampler was given for `how`");
     refused(
-        &mut [flat(0, "rgba8uint:2x2"), goal()],
+        &mut [flat(0, "rgba8uint", [2, 2]), goal()],
         &plain,
         "`image` is a 2d texture of floats, 1 sample a texel; it cannot be rgba8uint 2d 2x2x1",
     );
-    let block = texture(0, "rgba8unorm:2x2x2", Dimension::D3);
+    let block = texture(0, "rgba8unorm", [2, 2, 2], Dimension::D3);
     refused(&mut [block, goal()], &plain, "it cannot be rgba8unorm 3d 2x2x2");
     let comparing = sampler(Sampler::default().comparing(Compare::Less));
-    refused(&mut [flat(0, "r8unorm:1"), goal()], &comparing, "give it one without comparison");
-    refused(&mut [flat(0, "r8unorm:1"), flat(2, "r32uint:1")], &plain, "`goal` is a 2d texture of r32float");
-    assert_eq!(run(SAMPLE, [1; 3], &mut [], &mut [flat(0, "r8unorm:1"), goal()], &plain), Ok(()));
+    refused(&mut [flat(0, "r8unorm", [1, 1]), goal()], &comparing, "give it one without comparison");
+    refused(
+        &mut [flat(0, "r8unorm", [1, 1]), flat(2, "r32uint", [1, 1])],
+        &plain,
+        "`goal` is a 2d texture of r32float",
+    );
+    assert_eq!(run(SAMPLE, [1; 3], &mut [], &mut [flat(0, "r8unorm", [1, 1]), goal()], &plain), Ok(()));
 }
 
 fn words(texture: &BoundTexture) -> Vec<u32> {
@@ -74,7 +79,7 @@ fn texels_that_invocations_share_are_written_in_turn() {
         fn main(@builtin(global_invocation_id) id: vec3u) {
             textureStore(goal, vec2u(id.x % 8u, id.x / 8u % 8u), vec4u(id.x));
         }";
-    let mut textures = [flat(0, "r32uint:8x8")];
+    let mut textures = [flat(0, "r32uint", [8, 8])];
     run(text, [2000, 1, 1], &mut [], &mut textures, &[]).unwrap();
     let last: Vec<u32> = (0..64).map(|i| 1999 * 64 + i).collect();
     assert_eq!(words(&textures[0]), last);
@@ -89,7 +94,7 @@ fn texels_of_their_own_may_be_read_and_written_at_once() {
             let old = textureLoad(goal, id.xy).x;
             textureStore(goal, id.xy, vec4u(old + id.y * 256u + id.x));
         }";
-    let mut textures = [flat(0, "r32uint:256x200")];
+    let mut textures = [flat(0, "r32uint", [256, 200])];
     run(text, [32, 25, 1], &mut [], &mut textures, &[]).unwrap();
     run(text, [32, 25, 1], &mut [], &mut textures, &[]).unwrap();
     let twice: Vec<u32> = (0..256 * 200).map(|i| 2 * i).collect();

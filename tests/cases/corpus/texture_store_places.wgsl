@@ -11,7 +11,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.y == 3u {
         textureStore(line, id.x * 3u, number);
     }
-    textureStore(block, vec3<i32>(id.zxy) - vec3<i32>(0, 2, 2), number);
+    // The last ones are before the first texel.
+    textureStore(block, vec3<i32>(0, 5, 5) - vec3<i32>(id.zxy), number);
     if (id.x & 1u) == 0u {
         textureStore(pages, id.xy, id.y & 3u, number);
     }
