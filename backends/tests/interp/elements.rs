@@ -3,13 +3,16 @@
 use crate::support::module;
 use lobe_backends::interp::{Buffer, Interpreter, Isa};
 
+/// An index as WGSL has it and as Rust has it, of an invocation.
+type Index = (&'static str, fn(u32) -> u32);
+
 fn buffer(binding: u32, words: impl Iterator<Item = u32>) -> Buffer {
     Buffer { group: 0, binding, data: words.flat_map(u32::to_le_bytes).collect() }
 }
 
 /// Invocation `i` sums fields of element `index(i)`, each times its rank, on every instruction set; the words of the array
 /// are their numbers. `fields`: their offsets in words, of `stride`.
-fn check(fields: &[u32], stride: u32, length: u32, index: (&str, fn(u32) -> u32)) {
+fn check(fields: &[u32], stride: u32, length: u32, index: Index) {
     let members: String = (0..stride).map(|word| format!("w{word}: u32, ")).collect();
     let terms: Vec<String> =
         fields.iter().enumerate().map(|(rank, word)| format!("{}u * e.w{word}", rank + 1)).collect();
@@ -45,7 +48,7 @@ fn check(fields: &[u32], stride: u32, length: u32, index: (&str, fn(u32) -> u32)
 
 #[test]
 fn fields_that_are_loaded_together_are_each_its_own() {
-    let indices: [(&str, fn(u32) -> u32); 4] =
+    let indices: [Index; 4] =
         [("i", |i| i), ("i * 7u % 61u", |i| i * 7 % 61), ("i + 3u", |i| i + 3), ("300u - i", |i| 300 - i)];
     let layouts: [(&[u32], u32); 7] = [
         (&[0], 1),
