@@ -82,7 +82,7 @@ const REFUSALS: &[(&str, &str)] = &[
     ("cooperative_matrix.wgsl", "cooperative matrices"),
     ("external_texture.wgsl", "external textures"),
     ("immediate.wgsl", "immediates"),
-    ("ray_query.wgsl", "acceleration structures"),
+    ("ray_query.wgsl", "ray queries"),
 ];
 
 #[test]

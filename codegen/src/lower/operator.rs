@@ -4,7 +4,7 @@ use super::body::BodyBuilder;
 use super::error::{Fail, Lowered};
 use super::fold;
 use super::module::{scalar, vector_size};
-use super::value::{BOOL, I32, Sink, U32, Value};
+use super::value::{BOOL, I32, Lit, Sink, U32, Value};
 use crate::def::{BinaryOp, Expr, ExprKind, Scalar, Span, TypeDef, UnaryOp};
 use naga::{BinaryOperator, Expression, RelationalFunction, Statement, UnaryOperator};
 
@@ -164,10 +164,28 @@ impl BodyBuilder<'_> {
                 if from == Scalar::Bool && to == Scalar::F32 {
                     return Err(Fail::new(span, "`bool as f32` is no Rust; write `select(0.0, 1.0, b)`"));
                 }
-                Ok(self.convert(value, to, Some(4), span))
+                let converted = self.convert(value, to, Some(4), span);
+                Ok(if from == Scalar::F32 { self.saturated(value, converted, to, span) } else { converted })
             }
             (from, to) => Err(Fail::new(span, format!("no cast from {from} to {to}"))),
         }
+    }
+
+    /// What Rust converts float `value` to: shaders stop at the largest f32 that the integer type holds, Rust goes on
+    /// to the largest integer.
+    fn saturated(&mut self, value: Value, converted: Value, to: Scalar, span: Span) -> Value {
+        let (beyond, most) = match to {
+            Scalar::I32 => (2_147_483_648.0_f32, Lit::I32(i32::MAX)),
+            Scalar::U32 => (4_294_967_296.0, Lit::U32(u32::MAX)),
+            Scalar::F32 | Scalar::Bool => return converted,
+        };
+        let left = self.handle(value, span);
+        let right = self.handle(Value::literal(Lit::F32(beyond, beyond.into())), span);
+        let op = BinaryOperator::GreaterEqual;
+        let condition = self.append(Expression::Binary { op, left, right }, span);
+        let accept = self.handle(Value::literal(most), span);
+        let reject = self.handle(converted, span);
+        self.value(TypeDef::Scalar(to), Expression::Select { condition, accept, reject }, span)
     }
 
     /// Conversion of value (`Some(4)`) or of bits (`None`) to scalars of kind `to`.
