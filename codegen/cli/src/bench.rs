@@ -40,7 +40,7 @@ const HELP: &str = "\
 hsg is the integral of an SG, the clamped cosine and a hemisphere; lights sums 64 SG lights an invocation; \
 triad is a * 2 + b, bound by memory. Drivers run WGSL through wgpu's naga, with the bounds checks that the \
 interpreter has too; SPIR-V of a named route is checked likewise. Data stays where it is: neither upload nor \
-compilation is timed, and of the interpreter neither is left out.
+compilation is timed, nor the interpreter's lowering and linking.
 
 The ratio to another executor is how many times as fast this one is: the median over the rounds of the other's time \
 divided by this one's in the same round. The goals against wgsl+naga@lavapipe for hsg, lights and triad are \

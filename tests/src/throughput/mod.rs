@@ -39,6 +39,9 @@ pub struct Measurement {
     pub ratio_to: BTreeMap<String, f64>,
 }
 
+/// Passes of an executor in a round, of which the median counts: the first meets what the one before left behind.
+const PASSES: usize = 3;
+
 /// Measures `workload` on all executors, `rounds` times after one round that is not counted.
 ///
 /// # Errors
@@ -51,15 +54,20 @@ pub fn measure(
     let module = executor::module(workload)?;
     let mut subject = Subject::new(workload, &module)?;
     let mut times = vec![Vec::with_capacity(rounds); executors.len()];
+    let names: Vec<String> = executors.iter().map(Executor::name).collect();
     for round in 0..=rounds {
-        for (executor, times) in executors.iter_mut().zip(&mut times) {
-            let seconds = subject.time(executor)?.as_secs_f64();
+        // Whoever runs first in a round finds the caches as the last one left them, so all take turns.
+        for turn in 0..names.len() {
+            let at = (turn + round) % names.len();
+            let mut passes = Vec::new();
+            for _ in 0..PASSES {
+                passes.push(subject.time(&mut executors[at])?.as_secs_f64());
+            }
             if round > 0 {
-                times.push(seconds);
+                times[at].push(median(passes));
             }
         }
     }
-    let names: Vec<String> = executors.iter().map(Executor::name).collect();
     let measurement = |(at, executor): (usize, &Executor)| {
         let others = (0..names.len()).filter(|other| *other != at);
         let ratio = |other: usize| {
