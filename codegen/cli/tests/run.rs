@@ -157,6 +157,12 @@ fn hostile_files_end_in_a_word_about_them() {
         ("parens.glsl", glsl(&format!("data[0] = {};", deep("(", "1u", ")"))), "ok", ""),
         ("minus.glsl", glsl(&format!("data[0] = uint({}1);", "- ".repeat(20_000))), "ok", ""),
         ("array.wgsl", b"var<private> a: array<u32, 4000000000>;".to_vec(), "invalid", "array.wgsl"),
+        (
+            "large.wgsl",
+            wgsl("var a: array<u32, 100000000>; a[out[0]] = 1u; out[1] = a[5];"),
+            "refused",
+            "scalars",
+        ),
         ("divided.wgsl", wgsl("let x = 1 / 0;"), "invalid", "ivision by zero"),
         ("endless.wgsl", wgsl("loop {}"), "timeout", "runs too long"),
         ("fragment.wgsl", b"@fragment fn f() {}".to_vec(), "refused", "only `f`"),

@@ -1,6 +1,6 @@
 // Covers: textureSampleGrad, the level by the longer of two steps along an axis.
 // lobe: --within out=0.02
-// lobe: --texture color=rgba8unorm:16x16x1:1:5 --sampler fine=linear,mip-linear --sampler sharp=nearest
+// lobe: --texture color=rgba8unorm:16x16x1:1:5 --sampler fine=linear,mip-linear
 @group(0) @binding(0) var color: texture_2d<f32>;
 @group(0) @binding(1) var fine: sampler;
 @group(0) @binding(2) var<storage, read_write> out: array<vec4<f32>, 256>;

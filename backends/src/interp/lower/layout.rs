@@ -36,6 +36,9 @@ pub(crate) struct Parts {
     pub(crate) count: Option<u32>,
 }
 
+/// Scalars of a variable or value: each lane has them all.
+const MOST: u32 = 1 << 20;
+
 /// The module's types.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Types<'m>(pub(crate) &'m naga::Module);
@@ -154,6 +157,10 @@ impl<'m> Types<'m> {
 
     /// The scalars of `shape` and their places, in order.
     pub(crate) fn scalars(self, shape: Shape, packing: Packing) -> Res<Vec<(Scalar, u32)>> {
+        let count = self.count(shape)?;
+        if count > MOST {
+            return Err(unsupported(&format!("variables and values of {count} scalars, more than {MOST}")));
+        }
         let mut out = Vec::new();
         self.push(shape, packing, 0, &mut out)?;
         Ok(out)
