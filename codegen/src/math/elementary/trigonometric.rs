@@ -6,7 +6,7 @@
 use super::angle::{self, Angle};
 use super::polynomial;
 
-/// The same functions for angles of which [`near::holds`](holds) is true: same results, without the way for others.
+/// The same functions for angles of which [`holds`](near::holds) is true: same results, without the way for others.
 pub mod near {
     use super::super::angle;
 
