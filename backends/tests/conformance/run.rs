@@ -137,7 +137,7 @@ pub(crate) struct Operation {
 
 impl Operation {
     /// A compute shader that computes it, row by row.
-    fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let names = ["a", "b", "c", "d"];
         let buffers: String =
             names.iter().zip(&self.args).enumerate().fold(String::new(), |text, (i, (n, ty))| {
@@ -170,9 +170,7 @@ impl Operation {
         interpreter.run(0, [rows.len().div_ceil(64) as u32, 1, 1], buffers.as_mut_slice()).unwrap();
         let results = buffers.pop().unwrap().data;
         for (row, result) in rows.iter().zip(results.chunks(width)) {
-            let mut bytes = [0; 8];
-            bytes[..width].copy_from_slice(result);
-            let (got, want) = (u64::from_le_bytes(bytes), (self.oracle)(row));
+            let (got, want) = (bits_of(result), (self.oracle)(row));
             let nan = self.result.format().is_some_and(|f| f.is_nan(got) && f.is_nan(want));
             assert!(
                 got == want || nan,
@@ -185,7 +183,18 @@ impl Operation {
 }
 
 fn buffer(binding: u32, ty: Ty, rows: &[Vec<u64>], column: usize) -> Buffer {
+    Buffer { group: 0, binding, data: bytes(ty, rows, column) }
+}
+
+/// A column of the rows.
+pub(crate) fn bytes(ty: Ty, rows: &[Vec<u64>], column: usize) -> Vec<u8> {
     let width = ty.bits() as usize / 8;
-    let data = rows.iter().flat_map(|row| row[column].to_le_bytes()[..width].to_vec()).collect();
-    Buffer { group: 0, binding, data }
+    rows.iter().flat_map(|row| row[column].to_le_bytes()[..width].to_vec()).collect()
+}
+
+/// The bits that up to eight bytes are.
+pub(crate) fn bits_of(bytes: &[u8]) -> u64 {
+    let mut all = [0; 8];
+    all[..bytes.len()].copy_from_slice(bytes);
+    u64::from_le_bytes(all)
 }

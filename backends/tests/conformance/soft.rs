@@ -27,7 +27,7 @@ impl Format {
     }
 
     /// The power of two of the last bit of the smallest numbers.
-    fn least(self) -> i32 {
+    pub(crate) fn least(self) -> i32 {
         1 - self.bias() - (self.digits as i32 - 1)
     }
 

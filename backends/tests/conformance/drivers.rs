@@ -1,0 +1,106 @@
+//! The same operations on a driver, over their edges: integers to the bit, floats as near as WGSL asks.
+
+use crate::common;
+use crate::run::{Operation, Ty, bits_of, bytes};
+use crate::soft::{Format, Number};
+use lobe_backends::gpu::{Binding, BindingKind, Gpu, Job, Shader};
+use lobe_codegen::validate;
+use naga::back::spv;
+
+/// What naga's SPIR-V or the driver cannot do: bit functions of 16 and 64 bits crash one or the other, and
+/// widening to a signed type extends by a sign that the operand has not. A remainder of floats inherits what the quotient
+/// before it was rounded to: it is any number of the divisor's size.
+fn is_beyond(operation: &Operation) -> bool {
+    let from = operation.args[0];
+    let names = ["count", "reverseBits", "first", "extractBits", "insertBits"];
+    let of_bits = from.bits() != 32 && names.iter().any(|name| operation.wgsl.starts_with(name));
+    let widens =
+        |to: Ty| operation.wgsl == format!("{}(a)", to.name()) && !from.signed() && from.bits() < to.bits();
+    let of_floats = operation.wgsl == "a % b" && from.format().is_some();
+    of_bits || of_floats || (from.format().is_none() && [Ty::I32, Ty::I64].into_iter().any(widens))
+}
+
+fn spirv(text: &str) -> Vec<u32> {
+    let module = validate::foreign_wgsl(text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let options = spv::Options { lang_version: (1, 3), capabilities: None, ..Default::default() };
+    spv::write_vec(module.module(), module.info(), &options, None).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// Whether drivers must know the number: it is neither NaN nor infinite nor subnormal.
+fn ordinary(format: Format, bits: u64) -> bool {
+    match format.decode(bits) {
+        Number::Nan | Number::Infinite { .. } => false,
+        Number::Finite { size, .. } => size == 0 || size >> (format.digits - 1) != 0,
+    }
+}
+
+/// ULPs that WGSL lets an operation of one name be off, of results that are ordinary.
+fn ulps(wgsl: &str) -> u64 {
+    match wgsl {
+        "a / b" | "sqrt(a)" => 3,
+        _ if wgsl.starts_with("unpack") => 3,
+        _ => 1,
+    }
+}
+
+impl Operation {
+    /// Whether a driver may return `got` where `want` is the right result.
+    fn permits(&self, row: &[u64], got: u64, want: u64) -> bool {
+        let formats = self.args.iter().zip(row).filter_map(|(ty, bits)| Some((ty.format()?, *bits)));
+        let mut plain = formats.into_iter().all(|(format, bits)| ordinary(format, bits));
+        let Some(format) = self.result.format() else {
+            return got == want || !plain;
+        };
+        plain &= ordinary(format, want);
+        let zero = |bits: u64| {
+            format.decode(bits) == Number::Finite { negative: false, size: 0, power: format.least() }
+        };
+        let magnitude = |bits: u64| bits & ((1 << (format.bits - 1)) - 1);
+        got == want
+            || !plain
+            || (zero(magnitude(got)) && zero(magnitude(want)))
+            || (got >> (format.bits - 1) == want >> (format.bits - 1)
+                && magnitude(got).abs_diff(magnitude(want)) <= ulps(&self.wgsl))
+    }
+
+    /// Panics on the first row whose result WGSL does not permit.
+    pub(crate) fn check_on(&self, gpu: &mut Gpu, rows: &[Vec<u64>]) {
+        if is_beyond(self) {
+            return;
+        }
+        // Words are bound, so that numbers of 16 bits come in pairs.
+        let mut rows = rows.to_vec();
+        rows.extend((rows.len() % 2 == 1).then(|| rows[0].clone()));
+        let columns: Vec<Vec<u8>> =
+            self.args.iter().enumerate().map(|(column, ty)| bytes(*ty, &rows, column)).collect();
+        let width = self.result.bits() as usize / 8;
+        let empty = vec![0; rows.len() * width];
+        let binding = |binding, kind, data| Binding { group: 0, binding, kind, data };
+        let mut bindings: Vec<Binding<'_>> =
+            (0..).zip(&columns).map(|(at, data)| binding(at, BindingKind::StorageRead, &data[..])).collect();
+        bindings.push(binding(9, BindingKind::StorageReadWrite, &empty));
+        let (words, groups) = (spirv(&self.text()), [rows.len().div_ceil(64) as u32, 1, 1]);
+        let job = Job {
+            shader: Shader::Spirv(&words),
+            entry: "main",
+            workgroup_size: [64, 1, 1],
+            groups,
+            bindings: &bindings,
+        };
+        let outputs = gpu.run(&job).unwrap_or_else(|e| panic!("{e}\n{}", self.text()));
+        for (row, got) in rows.iter().zip(outputs[0].chunks(width).map(bits_of)) {
+            let want = (self.oracle)(row);
+            assert!(
+                self.permits(row, got, want),
+                "{} of {:?} = {row:#x?} is {want:#x}, not {got:#x}",
+                self.wgsl,
+                self.args
+            );
+        }
+    }
+}
+
+/// lavapipe, or a skip that says so.
+pub(crate) fn lavapipe() -> Option<Gpu> {
+    common::driver("lavapipe").map(|driver| Gpu::open(&driver).expect("a listed driver opens"))
+}
