@@ -19,6 +19,9 @@ use std::time::Duration;
 /// What a resource holds of which nothing is said.
 const USUAL: Feed = Feed::Random(0);
 
+/// Means all routes to drivers that can be taken here.
+pub const READY: &str = "ready";
+
 /// Most invocations of a run.
 const INVOCATIONS: u64 = 1 << 36;
 
@@ -86,6 +89,7 @@ impl<'t, 's> Trial<'t, 's> {
             workgroup_size: self.report.workgroup_size,
             workgroups,
             given: &given,
+            interp: machine,
         };
         let mut references = vec![Reference { subgroup: None, ours, bounds: None }];
         for route in self.wanted(&subject)? {
@@ -133,8 +137,15 @@ impl<'t, 's> Trial<'t, 's> {
         if job.routes.is_empty() {
             return Ok(self.routes.ready(subject.source.language));
         }
-        let named = job.routes.iter().filter(|r| *r != "interp");
-        named.map(|r| r.parse().or_else(|e: String| stop(Status::Error, e))).collect()
+        let mut wanted = Vec::new();
+        for name in job.routes.iter().filter(|r| *r != "interp") {
+            if name == READY {
+                wanted.extend(self.routes.ready(subject.source.language));
+            } else {
+                wanted.push(name.parse().or_else(|e: String| stop(Status::Error, e))?);
+            }
+        }
+        Ok(wanted)
     }
 
     /// What `route` leaves, or why it leaves nothing.
@@ -171,6 +182,9 @@ impl<'t, 's> Trial<'t, 's> {
             references.push(Reference { subgroup, ours: machine.run(subgroup)?, bounds: None });
         }
         let reference = &mut references[at];
+        if *route == ShaderRoute::Judge {
+            return Ok(RouteReport::compared(&route.to_string(), same_bits(subject.given, reference, found)));
+        }
         let within = &self.steps.job.within;
         let compared = compare_all(subject.given, reference, within, found);
         if reference.bounds.is_none() && compared.iter().any(|c| c.differing > 0) {
@@ -230,6 +244,14 @@ fn compare_all(
         compare(given, ours, theirs, permit)
     });
     compared.collect()
+}
+
+/// Every resource that the shader may write, by its bits.
+fn same_bits(given: &[Given], reference: &Reference, found: &[Vec<u8>]) -> Vec<Compared> {
+    let written = given.iter().filter(|g| g.is_written()).zip(found);
+    written
+        .map(|(given, theirs)| compare(given, reference.ours.bytes(given), theirs, |_, _| Permit::Bits))
+        .collect()
 }
 
 /// Every name of a resource in the job.

@@ -50,6 +50,26 @@ impl Machine<'_> {
         Ok(owned)
     }
 
+    /// The same by the interpreter's judge.
+    ///
+    /// # Errors
+    /// When the judge gives up or panics.
+    pub fn judged(&self) -> Result<Owned, MachineError> {
+        let mut owned = Owned::of(self.given)?;
+        self.guarded(None, |machine| machine.run_judged(self.entry, self.workgroups, owned.lend()))?;
+        Ok(owned)
+    }
+
+    /// What a driver leaves that takes liberties as `seed` says.
+    ///
+    /// # Errors
+    /// When the judge gives up or panics.
+    pub fn perturbed(&self, seed: u64) -> Result<Owned, MachineError> {
+        let mut owned = Owned::of(self.given)?;
+        self.guarded(None, |machine| machine.perturbed_run(self.entry, self.workgroups, owned.lend(), seed))?;
+        Ok(owned)
+    }
+
     /// What permitted drivers may leave in the buffers.
     ///
     /// # Errors

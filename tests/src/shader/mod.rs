@@ -25,4 +25,5 @@ pub mod shape;
 pub mod supervise;
 pub mod texture;
 
+pub use entry::READY;
 pub use run::{is_shader, run};

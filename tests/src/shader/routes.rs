@@ -1,8 +1,10 @@
-//! The GPU routes of a shader: what each is given, and what it leaves.
+//! The routes of a shader beside the interpreter: what each is given, and what it leaves.
 
-use super::given::Given;
+use super::given::{Given, Owned};
+use super::machine::MachineError;
 use super::report::RouteStatus;
 use lobe_backends::gpu::{Binding, BindingKind, Gpu, GpuError, Job, Shader};
+use lobe_backends::interp::InterpError;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
 use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
@@ -16,17 +18,35 @@ use std::time::Duration;
 /// The road of a SPIR-V file's own words.
 const ORIGINAL: &str = "original";
 
-/// A way to a driver.
+/// The interpreter's own second opinion.
+const JUDGE: &str = "judge";
+
+/// A driver drawn by chance; a seed follows.
+const PERTURBED: &str = "perturbed:";
+
+/// A way to results that are compared with the interpreter's.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ShaderRoute {
-    /// `None`: the words of the file, unchanged.
-    road: Option<Road>,
-    driver: String,
+pub enum ShaderRoute {
+    /// The interpreter's judge, which runs the same program in another way: its results are the same.
+    Judge,
+    /// A driver that takes liberties, each of them permitted, as its seed says.
+    Perturbed(u64),
+    /// A driver of this machine.
+    Gpu {
+        /// The way there; `None`: the words of the file, unchanged.
+        road: Option<Road>,
+        /// The driver's name.
+        driver: String,
+    },
 }
 
 impl std::fmt::Display for ShaderRoute {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}@{}", self.road.map_or(ORIGINAL, Road::name), self.driver)
+        match self {
+            Self::Judge => f.write_str(JUDGE),
+            Self::Perturbed(seed) => write!(f, "{PERTURBED}{seed}"),
+            Self::Gpu { road, driver } => write!(f, "{}@{driver}", road.map_or(ORIGINAL, Road::name)),
+        }
     }
 }
 
@@ -34,12 +54,19 @@ impl std::str::FromStr for ShaderRoute {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if text == JUDGE {
+            return Ok(Self::Judge);
+        }
+        if let Some(seed) = text.strip_prefix(PERTURBED) {
+            let seed = seed.parse().map_err(|_| format!("`{seed}` is no seed; it is an integer"))?;
+            return Ok(Self::Perturbed(seed));
+        }
         if let Some((ORIGINAL, driver)) = text.split_once('@') {
-            return Ok(Self { road: None, driver: driver.to_owned() });
+            return Ok(Self::Gpu { road: None, driver: driver.to_owned() });
         }
         match text.parse::<Route>() {
-            Ok(Route::Gpu { road, driver }) => Ok(Self { road: Some(road), driver }),
-            Ok(Route::Native | Route::Interp) => Err(format!("`{text}` is no route of a shader to a driver")),
+            Ok(Route::Gpu { road, driver }) => Ok(Self::Gpu { road: Some(road), driver }),
+            Ok(Route::Native | Route::Interp) => Err(format!("`{text}` is no route of a shader")),
             Err(error) => Err(error.to_string()),
         }
     }
@@ -62,6 +89,8 @@ pub struct Subject<'s> {
     pub workgroups: [u32; 3],
     /// What it uses.
     pub given: &'s [Given],
+    /// The same on the interpreter.
+    pub interp: super::machine::Machine<'s>,
 }
 
 /// Why a route has no results.
@@ -93,14 +122,14 @@ impl Routes {
         Self { machine: Machine::look(), opened: HashMap::new(), subgroups: HashMap::new() }
     }
 
-    /// The routes that a shader in `language` can take here.
+    /// The routes to drivers that a shader in `language` can take here.
     #[must_use]
     pub fn ready(&self, language: Language) -> Vec<ShaderRoute> {
         let original = self.machine.drivers().iter().filter(|d| d.has_passthrough);
-        let original = original.map(|d| ShaderRoute { road: None, driver: d.name.clone() });
+        let original = original.map(|d| ShaderRoute::Gpu { road: None, driver: d.name.clone() });
         let ready = self.machine.routes().into_iter().filter(|(_, state)| *state == State::Ready);
         let roads = ready.filter_map(|(route, _)| match route {
-            Route::Gpu { road, driver } => Some(ShaderRoute { road: Some(road), driver }),
+            Route::Gpu { road, driver } => Some(ShaderRoute::Gpu { road: Some(road), driver }),
             Route::Native | Route::Interp => None,
         });
         let is_spirv = language == Language::Spirv;
@@ -110,8 +139,9 @@ impl Routes {
     /// What `route` lacks on this machine, and how to get it.
     #[must_use]
     pub fn missing(&self, route: &ShaderRoute) -> Option<String> {
-        let road = route.road.unwrap_or(Road::Spirv);
-        match self.machine.state(&Route::Gpu { road, driver: route.driver.clone() }) {
+        let ShaderRoute::Gpu { road, driver } = route else { return None };
+        let road = road.unwrap_or(Road::Spirv);
+        match self.machine.state(&Route::Gpu { road, driver: driver.clone() }) {
             State::Ready => None,
             State::Missing { what, mend } => Some(format!("{what}; {mend}")),
         }
@@ -127,14 +157,19 @@ impl Routes {
         subject: &Subject<'_>,
         timeout: Duration,
     ) -> Result<Vec<Vec<u8>>, Failure> {
-        self.check_capabilities(route, subject)?;
-        let plain = self.written(route, subject)?;
+        let (road, driver) = match route {
+            ShaderRoute::Judge => return left(subject, |machine| machine.judged()),
+            ShaderRoute::Perturbed(seed) => return left(subject, |machine| machine.perturbed(*seed)),
+            ShaderRoute::Gpu { road, driver } => (*road, driver.as_str()),
+        };
+        self.check_capabilities(driver, subject)?;
+        let plain = self.written(road, subject)?;
         let shader = match &plain.content {
             Content::Text(text) => Shader::Wgsl(text),
             Content::Words(words) => Shader::Spirv(words),
         };
         let bindings: Vec<Binding<'_>> = subject.given.iter().map(Given::lend).collect();
-        let gpu = self.open(route)?;
+        let gpu = self.open(driver)?;
         gpu.set_timeout(timeout);
         let job = Job {
             shader,
@@ -147,21 +182,22 @@ impl Routes {
     }
 
     /// A driver may crash on what it does not know.
-    fn check_capabilities(&self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<(), Failure> {
-        let driver = self.machine.drivers().iter().find(|d| d.name == route.driver);
+    fn check_capabilities(&self, name: &str, subject: &Subject<'_>) -> Result<(), Failure> {
+        let driver = self.machine.drivers().iter().find(|d| d.name == name);
         let lacking = driver.and_then(|d| validate::lacking(subject.module, d.capabilities));
         match lacking {
-            Some(why) => Err(Failure::refused(format!("{} does not take the shader: {why}", route.driver))),
+            Some(why) => Err(Failure::refused(format!("{name} does not take the shader: {why}"))),
             None => Ok(()),
         }
     }
 
-    /// Invocations of a subgroup on the route's driver; `None` if it has no subgroups.
+    /// Invocations of a subgroup on the route's driver; `None` if it has no subgroups of its own.
     pub fn subgroup(&mut self, route: &ShaderRoute) -> Option<u32> {
-        if let Some(known) = self.subgroups.get(&route.driver) {
+        let ShaderRoute::Gpu { driver, .. } = route else { return None };
+        if let Some(known) = self.subgroups.get(driver) {
             return *known;
         }
-        let size = self.open(route).ok().and_then(|gpu| {
+        let size = self.open(driver).ok().and_then(|gpu| {
             let kind = BindingKind::StorageReadWrite;
             let bindings = [Binding { group: 0, binding: 0, kind, data: &[0; 4] }];
             let shader = Shader::Wgsl(PROBE);
@@ -175,27 +211,26 @@ impl Routes {
             let found = gpu.run(&job).ok()?;
             found.first()?.first_chunk().map(|bytes| u32::from_le_bytes(*bytes))
         });
-        self.subgroups.insert(route.driver.clone(), size);
+        self.subgroups.insert(driver.clone(), size);
         size
     }
 
-    fn open(&mut self, route: &ShaderRoute) -> Result<&mut Gpu, Failure> {
-        let name = &route.driver;
+    fn open(&mut self, name: &str) -> Result<&mut Gpu, Failure> {
         if !self.opened.contains_key(name) {
-            let driver = self.machine.drivers().iter().find(|d| d.name == *name);
+            let driver = self.machine.drivers().iter().find(|d| d.name == name);
             let Some(driver) = driver else {
-                return Err(Failure::refused(self.missing(route).unwrap_or_default()));
+                return Err(Failure::refused(format!("there is no driver {name} here")));
             };
             let gpu = Gpu::open(driver).map_err(|e| Failure::of_gpu(&e))?;
-            self.opened.insert(name.clone(), gpu);
+            self.opened.insert(name.to_owned(), gpu);
         }
         self.opened.get_mut(name).ok_or_else(|| Failure::refused(format!("{name} was lost")))
     }
 
     /// What the driver is given.
-    fn written(&self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<Plain, Failure> {
+    fn written(&self, road: Option<Road>, subject: &Subject<'_>) -> Result<Plain, Failure> {
         let write = |target| plain(subject.module, target, subject.entry).map_err(|e| Failure::of_emit(&e));
-        match route.road {
+        match road {
             Some(Road::Spirv) => write(Target::Spirv),
             Some(Road::WgslNaga) => match subject.source.text().filter(|_| subject.is_wgsl_as_written()) {
                 Some(text) => {
@@ -224,6 +259,15 @@ impl Routes {
     }
 }
 
+/// What a run of the interpreter leaves where the shader may write.
+fn left(
+    subject: &Subject<'_>,
+    run: impl FnOnce(&super::machine::Machine<'_>) -> Result<Owned, MachineError>,
+) -> Result<Vec<Vec<u8>>, Failure> {
+    let owned = run(&subject.interp).map_err(|e| Failure::of_machine(&e))?;
+    Ok(subject.given.iter().filter(|g| g.is_written()).map(|g| owned.bytes(g).to_vec()).collect())
+}
+
 impl Subject<'_> {
     fn is_wgsl_as_written(&self) -> bool {
         self.source.language == Language::Wgsl && self.is_as_written
@@ -244,6 +288,15 @@ impl Failure {
         Self { status, message: error.to_string() }
     }
 
+    fn of_machine(error: &MachineError) -> Self {
+        let status = match error {
+            MachineError::Interp(InterpError::OutOfFuel { .. }) => RouteStatus::Timeout,
+            MachineError::Interp(_) | MachineError::Texture(_) => RouteStatus::Refused,
+            MachineError::Panicked(_) => RouteStatus::Crashed,
+        };
+        Self { status, message: error.to_string() }
+    }
+
     fn of_emit(error: &EmitError) -> Self {
         let is_panic = matches!(error, EmitError::Panicked { .. });
         let status = if is_panic { RouteStatus::Crashed } else { RouteStatus::Refused };
@@ -257,10 +310,11 @@ mod tests {
 
     #[test]
     fn routes_are_spelt_as_they_print() {
-        for name in ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "hlsl+dxc@swiftshader"] {
+        let drivers = ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "hlsl+dxc@swiftshader"];
+        for name in drivers.into_iter().chain(["judge", "perturbed:7"]) {
             assert_eq!(name.parse::<ShaderRoute>().map(|r| r.to_string()), Ok(name.to_owned()));
         }
-        for name in ["interp", "native", "metal@x", "lavapipe"] {
+        for name in ["interp", "native", "metal@x", "lavapipe", "perturbed:x"] {
             assert!(name.parse::<ShaderRoute>().is_err(), "{name}");
         }
     }

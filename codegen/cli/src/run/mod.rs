@@ -9,7 +9,7 @@ use crate::output::{self, ListFormat};
 use lobe_tests::shader::job::{Entry, Job};
 use lobe_tests::shader::report::{Report, Status};
 use lobe_tests::shader::routes::{Routes, ShaderRoute};
-use lobe_tests::shader::{serve, supervise};
+use lobe_tests::shader::{READY, serve, supervise};
 use options::JobArgs;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -41,6 +41,10 @@ FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1
 or else the bytes themselves. \
 A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
 
+Routes are TARGET+TRANSLATOR@DRIVER as `lobe doctor` lists them, original@DRIVER (the words of a SPIR-V file), \
+ready (all of these that this machine has), perturbed:SEED (a driver drawn by chance, which takes liberties that are \
+permitted), judge (the interpreter's second opinion, to the bit), interp (compare with none).
+
 Lines of a shader's text that begin with `// lobe: ` hold options for it; the command line wins over them.
 
 A batch runs every compute entry point of a file that names none. In a list, what a line says wins over \
@@ -70,7 +74,8 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 
 /// Whether this machine has every route that is asked for by name.
 fn check_routes(jobs: &[Job]) -> Result<(), Fail> {
-    let mut named: Vec<&String> = jobs.iter().flat_map(|j| &j.routes).filter(|r| *r != "interp").collect();
+    let is_route = |name: &&String| *name != "interp" && *name != READY;
+    let mut named: Vec<&String> = jobs.iter().flat_map(|j| &j.routes).filter(is_route).collect();
     named.sort_unstable();
     named.dedup();
     if named.is_empty() {

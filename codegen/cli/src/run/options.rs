@@ -46,7 +46,7 @@ pub(super) struct JobArgs {
     /// Value of a pipeline-overridable constant, by name or @id
     #[arg(long = "override", value_name = "NAME=VALUE", value_parser = named::<f64>)]
     overrides: Vec<(String, f64)>,
-    /// Compare only with these routes, as spirv@lavapipe; `interp` alone compares with none
+    /// Compare only with these routes, as spirv@lavapipe; see below [default: ready]
     #[arg(long = "route", value_name = "ROUTE")]
     routes: Vec<String>,
     /// Rounds of loops that 128 invocations, or a workgroup, may run on the interpreter [default: 4194304]
