@@ -19,6 +19,8 @@ const SYSTEM_FOLDERS: [&str; 4] = ["/usr/local/lib", "/usr/lib/x86_64-linux-gnu"
 pub enum DxcOutput {
     /// SPIR-V for Vulkan 1.1; [`spirv_words`](super::spirv_words) makes words of it.
     Spirv,
+    /// The same of HLSL 2018 with 16-bit types, which naga's writer has in mind: there `?:` takes vectors.
+    Spirv2018,
     /// A DXIL container, validated and unsigned.
     Dxil,
 }
@@ -163,7 +165,10 @@ fn arguments(profile: &str, entry: Option<&str>, output: DxcOutput) -> Result<Ve
         // Without it DXC drops every function of a library, and calls that a success.
         None => arguments.extend(["-default-linkage", "external"]),
     }
-    if output == DxcOutput::Spirv {
+    if output == DxcOutput::Spirv2018 {
+        arguments.extend(["-HV", "2018", "-enable-16bit-types"]);
+    }
+    if output != DxcOutput::Dxil {
         // The text's operations as they stand: DXC's optimiser makes `a / b` of `a * (1 / b)`, and what is asked of a
         // driver would be asked of the optimiser.
         // KHR only: this DXC would else declare an NVIDIA extension for every subgroup operation.

@@ -3,7 +3,9 @@
 //! Names are of no matter here, so none is kept or refused but the entry point's.
 //! What lies outside a buffer or an array is nobody's own affair: every access is kept inside.
 
-use super::{Content, EmitError, Target, guarded, hlsl, spirv};
+mod hlsl;
+
+use super::{Content, EmitError, Target, guarded, spirv};
 use crate::ValidModule;
 use naga::ShaderStage;
 use naga::back::wgsl::{WriterFlags, write_string};
@@ -20,11 +22,16 @@ pub struct Plain {
     pub entry: String,
 }
 
-/// Writes `module` for `target`, for running its compute entry point `entry`.
+/// Writes `module` for `target`, for running its compute entry point `entry` by so many `workgroups`.
 ///
 /// # Errors
 /// When there is no such entry point, or the target cannot express the module.
-pub fn plain(module: &ValidModule, target: Target, entry: &str) -> Result<Plain, EmitError> {
+pub fn plain(
+    module: &ValidModule,
+    target: Target,
+    entry: &str,
+    workgroups: [u32; 3],
+) -> Result<Plain, EmitError> {
     let is_meant = |p: &naga::EntryPoint| p.stage == ShaderStage::Compute && p.name == entry;
     let index = module.module().entry_points.iter().position(is_meant).ok_or(EmitError::NoEntry)?;
     match target {
@@ -33,7 +40,7 @@ pub fn plain(module: &ValidModule, target: Target, entry: &str) -> Result<Plain,
             Ok(Plain { content: Content::Words(words), entry: entry.to_owned() })
         }
         Target::Hlsl => {
-            let (text, mut names) = hlsl::plain(module)?;
+            let (text, mut names) = hlsl::write(module, workgroups)?;
             Ok(Plain { content: Content::Text(text), entry: names.swap_remove(index) })
         }
         Target::Wgsl => {
@@ -60,7 +67,7 @@ mod tests {
     #[test]
     fn the_entry_point_is_found_under_the_name_given() {
         let module = foreign_wgsl(TEXT).unwrap();
-        let written = |target| plain(&module, target, "sampler_2").unwrap();
+        let written = |target| plain(&module, target, "sampler_2", [1; 3]).unwrap();
         let wgsl = written(Target::Wgsl);
         assert!(wgsl.content.text().is_some_and(|t| t.contains(&format!("fn {}(", wgsl.entry))));
         let hlsl = written(Target::Hlsl);
@@ -71,7 +78,8 @@ mod tests {
     #[test]
     fn an_access_stays_inside_its_buffer() {
         let module = foreign_wgsl(TEXT).unwrap();
-        let Content::Words(words) = plain(&module, Target::Spirv, "sampler_2").unwrap().content else {
+        let Content::Words(words) = plain(&module, Target::Spirv, "sampler_2", [1; 3]).unwrap().content
+        else {
             panic!("words");
         };
         const OP_ARRAY_LENGTH: u32 = 68;
@@ -81,6 +89,6 @@ mod tests {
     #[test]
     fn an_entry_point_that_is_not_there_is_refused() {
         let module = foreign_wgsl(TEXT).unwrap();
-        assert!(matches!(plain(&module, Target::Wgsl, "main"), Err(EmitError::NoEntry)));
+        assert!(matches!(plain(&module, Target::Wgsl, "main", [1; 3]), Err(EmitError::NoEntry)));
     }
 }

@@ -147,6 +147,14 @@ impl Routes {
         }
     }
 
+    /// What the route's driver says of itself, its version with it; nothing if there is none.
+    #[must_use]
+    pub fn driver_info(&self, route: &ShaderRoute) -> &str {
+        let ShaderRoute::Gpu { driver, .. } = route else { return "" };
+        let known = self.machine.drivers().iter().find(|d| d.name == *driver);
+        known.map_or("", |d| &d.driver_info)
+    }
+
     /// Runs `subject` by `route` and gives back what then lies in those resources that it may write.
     ///
     /// # Errors
@@ -229,7 +237,9 @@ impl Routes {
 
     /// What the driver is given.
     fn written(&self, road: Option<Road>, subject: &Subject<'_>) -> Result<Plain, Failure> {
-        let write = |target| plain(subject.module, target, subject.entry).map_err(|e| Failure::of_emit(&e));
+        let write = |target| {
+            plain(subject.module, target, subject.entry, subject.workgroups).map_err(|e| Failure::of_emit(&e))
+        };
         match road {
             Some(Road::Spirv) => write(Target::Spirv),
             Some(Road::WgslNaga) => match subject.source.text().filter(|_| subject.is_wgsl_as_written()) {
@@ -252,7 +262,7 @@ impl Routes {
         let dxc = self.machine.dxc().map_err(|e| Failure::refused(e.to_string()))?;
         let text = hlsl.content.text().unwrap_or_default();
         let words = dxc
-            .compile(text, "cs_6_0", Some(&hlsl.entry), DxcOutput::Spirv)
+            .compile(text, "cs_6_6", Some(&hlsl.entry), DxcOutput::Spirv2018)
             .and_then(|object| spirv_words(&object))
             .map_err(|e| Failure::refused(e.to_string()))?;
         Ok(Plain { content: Content::Words(words), entry: hlsl.entry.clone() })

@@ -106,8 +106,9 @@ impl<'w> Subject<'w> {
     pub(super) fn new(workload: &'w Workload, module: &'w ValidModule) -> Result<Self, BenchError> {
         let name = workload.name;
         let interpreter = Interpreter::new(module).map_err(|cause| BenchError::Interp { name, cause })?;
-        let written =
-            plain(module, Target::Spirv, "main").map_err(|cause| BenchError::Emit { name, cause })?;
+        // SPIR-V has an input for the number of workgroups.
+        let written = plain(module, Target::Spirv, "main", [1; 3])
+            .map_err(|cause| BenchError::Emit { name, cause })?;
         let spirv = match written.content {
             Content::Words(words) => words,
             Content::Text(_) => Vec::new(),
