@@ -1,6 +1,6 @@
 //! Every operation of naga's IR has a state on the interpreter, and `backends/OPERATIONS.md` tells it.
 //!
-//! What is said to run is in a module of `tests/cases/corpus`, which another test runs; what is said to be refused is in
+//! What is said to run is in a module of `tests/cases/corpus`, which `lobe run` is tested with; what is said to be refused is in
 //! a module of `tests/cases/corpus/refused`.
 
 mod rows;

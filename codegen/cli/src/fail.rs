@@ -4,6 +4,7 @@ use lobe_backends::executor::ExecError;
 use lobe_backends::routes::OpenError;
 use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
+use lobe_tests::expectation::ExpectationError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::throughput::BenchError;
@@ -53,6 +54,8 @@ pub(crate) enum Fail {
     #[error("standard output cannot be written: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
+    Expectation(#[from] ExpectationError),
+    #[error(transparent)]
     Judge(#[from] JudgeError),
     #[error(transparent)]
     Table(#[from] TableError),
@@ -95,6 +98,7 @@ impl Fail {
             | Self::Read { .. }
             | Self::Write { .. }
             | Self::Stdout(_)
+            | Self::Expectation(_)
             | Self::Table(_) => 2,
             Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)

@@ -288,7 +288,7 @@ fn routes_agree_on_integers_and_say_what_is_not_judged() {
     let wgsl = format!("{OUT}{MAIN} out[0] = out[1] * 7u; out[2] ^= out[3]; }}");
     let spirv = {
         let module = lobe_codegen::validate::foreign_wgsl(&wgsl).expect("valid");
-        lobe_codegen::emit::plain(&module, lobe_codegen::emit::Target::Spirv, "main")
+        lobe_codegen::emit::plain(&module, lobe_codegen::emit::Target::Spirv, "main", [1; 3])
             .expect("SPIR-V")
             .content
             .bytes()

@@ -24,13 +24,13 @@
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {
     let at = id.xy;
     textureStore(t_rgba8uint, at, vec4<u32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
-    textureStore(t_rgba8sint, at, vec4<i32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
+    textureStore(t_rgba8sint, at, vec4<i32>(vec4<u32>(i, i * 2u, 127u - i, i & 7u)));
     textureStore(t_rgba16uint, at, vec4<u32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
-    textureStore(t_rgba16sint, at, vec4<i32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
+    textureStore(t_rgba16sint, at, vec4<i32>(vec4<u32>(i, i * 2u, 127u - i, i & 7u)));
     textureStore(t_rgba32uint, at, vec4<u32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
-    textureStore(t_rgba32sint, at, vec4<i32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
+    textureStore(t_rgba32sint, at, vec4<i32>(vec4<u32>(i, i * 2u, 127u - i, i & 7u)));
     textureStore(t_r32uint, at, vec4<u32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
-    textureStore(t_r32sint, at, vec4<i32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
+    textureStore(t_r32sint, at, vec4<i32>(vec4<u32>(i, i * 2u, 127u - i, i & 7u)));
     textureStore(t_rg32uint, at, vec4<u32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
-    textureStore(t_rg32sint, at, vec4<i32>(vec4<u32>(i, i * 3u, 127u - i, i & 7u)));
+    textureStore(t_rg32sint, at, vec4<i32>(vec4<u32>(i, i * 2u, 127u - i, i & 7u)));
 }

@@ -98,6 +98,7 @@ impl<'t, 's> Trial<'t, 's> {
                 Ok(found) => self.compare(&route, &subject, machine, &mut references, &found)?,
                 Err(why) => why,
             };
+            let found = self.expected(&route, found);
             self.report.add(found);
         }
         self.sanitize(&subject, machine)
@@ -162,6 +163,15 @@ impl<'t, 's> Trial<'t, 's> {
             Ok(Ok(found)) => Ok(found),
             Ok(Err(failure)) => without(failure.status, failure.message),
             Err(message) => without(RouteStatus::Crashed, format!("panicked: {message}")),
+        }
+    }
+
+    /// What a route came to, in the light of what was expected of it.
+    fn expected(&self, route: &ShaderRoute, found: RouteReport) -> RouteReport {
+        let driver = self.routes.driver_info(route);
+        match self.steps.job.expected.iter().find(|e| e.is_by(&found.route, driver)) {
+            Some(expectation) => found.expected(expectation),
+            None => found,
         }
     }
 

@@ -3,6 +3,7 @@
 use super::feed::Feed;
 use super::report::Status;
 use super::texture::{SamplerWords, Sketch};
+use crate::expectation::Expectation;
 use std::path::PathBuf;
 
 /// A run of a shader's entry points.
@@ -36,6 +37,9 @@ pub struct Job {
     pub fuel: u64,
     /// Seconds that each step may take.
     pub timeout: u64,
+    /// Faults of routes that are known.
+    #[serde(default)]
+    pub expected: Vec<Expectation>,
     /// Steps that are known to end badly, from runs before.
     #[serde(default)]
     pub given_up: Vec<GivenUp>,

@@ -1,6 +1,7 @@
 //! What came of a run.
 
 use super::compare::{Compared, Standing};
+use crate::expectation::Expectation;
 
 /// How a run ended, the worst of its routes; better before worse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
@@ -105,6 +106,9 @@ pub struct RouteReport {
     /// Why there is no comparison.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
+    /// Why it is no matter that it ended so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expected: Option<String>,
     /// Each resource that the shader may write.
     pub buffers: Vec<Compared>,
 }
@@ -127,6 +131,8 @@ pub enum RouteStatus {
     Timeout,
     /// It crashed or panicked.
     Crashed,
+    /// It was expected to fail, and did not, or in another way.
+    Unexpected,
 }
 
 impl RouteStatus {
@@ -141,6 +147,7 @@ impl RouteStatus {
             Self::Refused => "refused",
             Self::Timeout => "timeout",
             Self::Crashed => "crashed",
+            Self::Unexpected => "unexpected",
         }
     }
 
@@ -149,7 +156,7 @@ impl RouteStatus {
         match self {
             Self::Equal | Self::Within | Self::Refused => Status::Ok,
             Self::Unjudged => Status::Unjudged,
-            Self::Beyond => Status::Differs,
+            Self::Beyond | Self::Unexpected => Status::Differs,
             Self::Timeout => Status::Timeout,
             Self::Crashed => Status::Crashed,
         }
@@ -171,14 +178,30 @@ impl RouteReport {
     /// A route that gave nothing to compare.
     #[must_use]
     pub fn without(route: &str, status: RouteStatus, message: String) -> Self {
-        Self { route: route.to_owned(), status, message: Some(message), buffers: Vec::new() }
+        Self { route: route.to_owned(), status, message: Some(message), expected: None, buffers: Vec::new() }
     }
 
     /// A route that left these buffers.
     #[must_use]
     pub fn compared(route: &str, buffers: Vec<Compared>) -> Self {
         let worst = buffers.iter().map(|b| b.standing).max().unwrap_or(Standing::Equal);
-        Self { route: route.to_owned(), status: worst.into(), message: None, buffers }
+        Self { route: route.to_owned(), status: worst.into(), message: None, expected: None, buffers }
+    }
+
+    /// The same in the light of what was expected.
+    #[must_use]
+    pub fn expected(mut self, expectation: &Expectation) -> Self {
+        let Expectation { fails, reason, .. } = expectation;
+        if self.status.name() == fails {
+            self.expected = Some(reason.clone());
+        } else {
+            self.message = Some(format!(
+                "it is {}, not {fails} as expected ({reason}): the expectation has to go or to change",
+                self.status.name()
+            ));
+            self.status = RouteStatus::Unexpected;
+        }
+        self
     }
 }
 
@@ -201,7 +224,8 @@ impl Report {
 
     /// Adds a route, and takes its status if that is worse.
     pub fn add(&mut self, route: RouteReport) {
-        self.status = self.status.max(route.status.of_run());
+        let status = if route.expected.is_some() { Status::Ok } else { route.status.of_run() };
+        self.status = self.status.max(status);
         self.routes.push(route);
     }
 }

@@ -107,8 +107,8 @@ impl<'w> Subject<'w> {
         let name = workload.name;
         let interpreter = Interpreter::new(module).map_err(|cause| BenchError::Interp { name, cause })?;
         // SPIR-V has an input for the number of workgroups.
-        let written = plain(module, Target::Spirv, "main", [1; 3])
-            .map_err(|cause| BenchError::Emit { name, cause })?;
+        let written =
+            plain(module, Target::Spirv, "main", [1; 3]).map_err(|cause| BenchError::Emit { name, cause })?;
         let spirv = match written.content {
             Content::Words(words) => words,
             Content::Text(_) => Vec::new(),

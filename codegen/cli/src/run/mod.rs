@@ -6,13 +6,14 @@ mod text;
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
+use lobe_tests::expectation::{self, Expectation};
 use lobe_tests::shader::job::{Entry, Job};
 use lobe_tests::shader::report::{Report, Status};
 use lobe_tests::shader::routes::{Routes, ShaderRoute};
 use lobe_tests::shader::{READY, serve, supervise};
 use options::JobArgs;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -26,6 +27,9 @@ pub(crate) struct Args {
     /// Shaders that a batch runs at a time; by default one for each processor
     #[arg(long, value_name = "N", requires = "batch", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
+    /// Known faults of routes; one that is there passes, one that is gone fails
+    #[arg(long, value_name = "FILE")]
+    expectations: Option<PathBuf>,
     /// Form of the report
     #[arg(long, value_enum, default_value_t = ListFormat::Human)]
     format: ListFormat,
@@ -61,7 +65,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     if args.serve {
         return serve::serve().map(|()| Outcome::Holds).map_err(Fail::Stdout);
     }
-    let jobs = match (&args.batch, &args.job.file) {
+    let mut jobs = match (&args.batch, &args.job.file) {
         (Some(list), _) => list::jobs(list, &args.job)?,
         (None, Some(file)) => vec![list::one(file.clone(), &args.job, Entry::Only)?],
         (None, None) => {
@@ -69,7 +73,17 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         }
     };
     check_routes(&jobs)?;
+    if let Some(file) = &args.expectations {
+        let all = expectation::read(file)?;
+        jobs.iter_mut().for_each(|job| job.expected = of(&job.file, &all));
+    }
     report(args, &jobs)
+}
+
+/// Those of `all` that are about a shader.
+fn of(shader: &Path, all: &[Expectation]) -> Vec<Expectation> {
+    let name = shader.file_stem().unwrap_or_default().to_string_lossy();
+    all.iter().filter(|e| e.is_of(&name)).cloned().collect()
 }
 
 /// Whether this machine has every route that is asked for by name.

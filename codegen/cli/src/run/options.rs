@@ -75,6 +75,7 @@ impl JobArgs {
             routes: self.routes.clone(),
             fuel: self.fuel.unwrap_or(FUEL),
             timeout: self.timeout.unwrap_or(TIMEOUT),
+            expected: Vec::new(),
             given_up: Vec::new(),
         }
     }

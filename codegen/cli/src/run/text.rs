@@ -20,7 +20,12 @@ pub(super) fn line(report: &Report) -> String {
     if let Some(first) = report.findings.first() {
         text += &format!("; {} findings, {}", report.findings.len(), mistake(first));
     }
-    for found in report.routes.iter().filter(|r| r.message.is_some() || r.buffers.iter().any(is_worth)) {
+    for found in report
+        .routes
+        .iter()
+        .filter(|r| r.expected.is_none())
+        .filter(|r| r.message.is_some() || r.buffers.iter().any(is_worth))
+    {
         let why = found.message.as_deref().map(brief).unwrap_or_default();
         let buffers: Vec<String> = found.buffers.iter().filter(|b| is_worth(b)).map(buffer).collect();
         text += &format!("; {} {} {why}{}", found.route, found.status.name(), buffers.join(", "));
@@ -77,6 +82,9 @@ fn subject(report: &Report) -> String {
 
 fn one(route: &RouteReport) -> String {
     let mut text = format!("  {:22} {}", route.route, route.status.name());
+    if let Some(reason) = &route.expected {
+        text += &format!(", as expected: {reason}");
+    }
     if let Some(message) = &route.message {
         text += &format!(": {}", message.trim_end().replace('\n', "\n    "));
     }

@@ -46,3 +46,12 @@ pub(crate) fn assert_holds(output: &Output) -> String {
     assert_eq!(output.status.code(), Some(0), "{}{}", text(&output.stderr), text(&output.stdout));
     text(&output.stdout)
 }
+
+/// Says that a test does not run in full and how to change that; fails instead where `LOBE_REQUIRE_TOOLS=1`.
+#[track_caller]
+pub(crate) fn skip(what: &str, mend: &str) {
+    let required = std::env::var_os("LOBE_REQUIRE_TOOLS").is_some_and(|value| value == "1");
+    assert!(!required, "{what} is required (LOBE_REQUIRE_TOOLS=1) but missing: {mend}");
+    // Not eprintln!, which the test runner swallows when the test passes.
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {what} ({mend})");
+}
