@@ -1,6 +1,8 @@
 //! Textures and subgroups of the interpreter alone: what is refused, and orders that must not show.
 
-use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, InterpError, Interpreter, Resources};
+use lobe_backends::interp::{
+    BoundSampler, BoundTexture, Buffer, Checks, Fault, InterpError, Interpreter, Resources,
+};
 use lobe_backends::texture::{Compare, Dimension, Format, Sampler, Texture, TextureShape};
 use lobe_codegen::{ValidModule, validate};
 
@@ -122,5 +124,42 @@ fn subgroups_are_consecutive_invocations_of_the_size_that_is_asked_for() {
         let expected: Vec<u32> =
             (0..40).flat_map(|i| [size, i / size, 40u32.div_ceil(size), full(i / size)]).collect();
         assert_eq!(found, expected, "{size}");
+    }
+}
+
+#[test]
+fn a_texel_that_is_not_there_is_a_finding() {
+    let findings = |texel: &str| {
+        let module = module(&format!(
+            "@group(0) @binding(0) var image: texture_2d_array<u32>;
+            @group(0) @binding(1) var goal: texture_storage_2d<r32uint, write>;
+            @compute @workgroup_size(1)
+            fn main() {{ let at = textureDimensions(image).x; {texel}; }}"
+        ));
+        let shape = TextureShape::new(Format::named("r32uint").unwrap(), Dimension::D2Array, [4, 4, 1]);
+        let image = Texture::zeros(shape.layered(2).levelled(2)).unwrap();
+        let textures =
+            &mut [BoundTexture { group: 0, binding: 0, texture: image }, flat(1, "r32uint", [4, 4])];
+        let resources = Resources { buffers: &mut [], textures, samplers: &[] };
+        let found = Interpreter::new(&module).unwrap().sanitize(0, [1; 3], resources, Checks::default());
+        found.unwrap().into_iter().map(|f| (f.kind, f.message)).collect::<Vec<_>>()
+    };
+    let load = |texel: &str| format!("textureStore(goal, vec2u(), textureLoad(image, {texel}))");
+    let store = |texel: &str| format!("textureStore(goal, {texel}, vec4u(1u))");
+    let size = |level: &str| format!("textureStore(goal, vec2u(), textureDimensions(image, {level}).xyxy)");
+    for there in [load("vec2u(at - 1), 1, 0"), load("vec2u(1), 1, 1"), store("vec2u(at - 1)"), size("1")] {
+        assert_eq!(findings(&there), [], "{there}");
+    }
+    for (astray, what) in [
+        (load("vec2u(at), 1, 0"), "texel 4,4,0 of layer 1, level 0, sample 0 of r32uint 2d_array"),
+        (load("vec2u(), 2, 0"), "layer 2, level 0"),
+        (load("vec2i(-1), 0, 1"), "texel -1,-1,0 of layer 0, level 1"),
+        (load("vec2u(2), 0, 1"), "texel 2,2,0 of layer 0, level 1"),
+        (store("vec2u(0, at)"), "texel 0,4,0"),
+        (size("at"), "level 4"),
+    ] {
+        let found = findings(&astray);
+        let [(Fault::OutOfBounds, message)] = &found[..] else { panic!("{astray}: {found:?}") };
+        assert!(message.contains(what), "{message}");
     }
 }

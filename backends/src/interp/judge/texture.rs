@@ -1,7 +1,7 @@
 //! Textures, lane after lane.
 
 use super::super::model::Model;
-use super::super::program::texture::{Access, TextureOp};
+use super::super::program::texture::{Access, Operands, TextureOp};
 use super::super::program::{Reg, Value};
 use super::super::texture::perform;
 use super::column::{Column, Family, family};
@@ -12,16 +12,7 @@ impl<M: Model> Machine<'_, M> {
         let lanes: Vec<usize> = self.flow.active.lanes().collect();
         for lane in lanes {
             let known = self.promised(access, lane)?;
-            let mut failed = None;
-            let operands = access.operands.map(|value| {
-                self.operand(value, lane).unwrap_or_else(|error| {
-                    failed = Some(error);
-                    0
-                })
-            });
-            if let Some(error) = failed {
-                return Err(error);
-            }
+            let operands = self.texture_operands(access, lane)?;
             let sampler = match access.op {
                 TextureOp::Sample(sampling) => self.samplers.get(sampling.sampler as usize).copied(),
                 _ => None,
@@ -58,6 +49,18 @@ impl<M: Model> Machine<'_, M> {
             Err(error) => known = Err(error),
         });
         known
+    }
+
+    /// The bits of all operands in a lane.
+    pub(super) fn texture_operands(&self, access: &Access, lane: usize) -> Res<Operands<u64>> {
+        let mut failed = None;
+        let operands = access.operands.map(|value| {
+            self.operand(value, lane).unwrap_or_else(|error| {
+                failed = Some(error);
+                0
+            })
+        });
+        failed.map_or(Ok(operands), Err)
     }
 
     /// The bits of an operand; a signed integer fills all 64.

@@ -1,6 +1,7 @@
 //! Texels by their numbers.
 
 use super::{Texels, TexelsMut};
+use crate::texture::TextureShape;
 
 /// A texel's number: along each axis, layer, level and sample, of whatever sign.
 #[derive(Debug, Clone, Copy, Default)]
@@ -11,9 +12,15 @@ pub(crate) struct At {
     pub(crate) sample: i64,
 }
 
+impl std::fmt::Display for At {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { place: [x, y, z], layer, level, sample } = self;
+        write!(f, "texel {x},{y},{z} of layer {layer}, level {level}, sample {sample}")
+    }
+}
+
 /// The first byte of a texel; `None` out of bounds.
-pub(crate) fn inside(texels: &impl Texels, at: At) -> Option<usize> {
-    let shape = texels.shape();
+pub(crate) fn inside(shape: TextureShape, at: At) -> Option<usize> {
     let number = |n: i64, count: u32| u32::try_from(n).ok().filter(|n| *n < count);
     let level = number(at.level, shape.levels)?;
     let size = shape.level_size(level);
@@ -27,13 +34,13 @@ pub(crate) fn inside(texels: &impl Texels, at: At) -> Option<usize> {
 
 /// The four numbers of a texel, as bits; out of bounds those of a texel of zeros: an alpha that the format lacks is 1.
 pub(crate) fn load(texels: &impl Texels, at: At) -> [u64; 4] {
-    let texel = inside(texels, at).map_or(0, |place| texels.texel(place));
+    let texel = inside(texels.shape(), at).map_or(0, |place| texels.texel(place));
     texels.shape().format.decode(texel)
 }
 
 /// Replaces a texel; out of bounds nothing happens.
 pub(crate) fn store(texels: &mut impl TexelsMut, at: At, numbers: [u64; 4]) {
-    if let Some(place) = inside(texels, at) {
+    if let Some(place) = inside(texels.shape(), at) {
         let texel = texels.shape().format.encode(numbers);
         texels.set_texel(place, texel);
     }
@@ -42,7 +49,7 @@ pub(crate) fn store(texels: &mut impl TexelsMut, at: At, numbers: [u64; 4]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texture::{Dimension, Format, Texture, TextureShape};
+    use crate::texture::{Dimension, Format, Texture};
     use naga::StorageFormat;
 
     #[test]

@@ -22,7 +22,7 @@ mod sample;
 
 use load::{At, inside, load, store};
 use lod::Lod;
-pub(crate) use perform::perform;
+pub(crate) use perform::{astray, perform};
 use sample::{Sample, sample};
 
 use crate::texture::TextureShape;

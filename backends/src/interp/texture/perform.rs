@@ -3,7 +3,7 @@
 use super::super::program::Update;
 use super::super::program::texture::{Operands, TextureOp};
 use super::{At, Lod, Sample, TexelsMut, inside, load, sample, store};
-use crate::texture::{Dimension, Sampler};
+use crate::texture::{Dimension, Sampler, TextureShape};
 
 /// Does `op` with operands by their bits, integers with their sign; `sampler` is that of a sample.
 pub(crate) fn perform(
@@ -53,6 +53,17 @@ pub(crate) fn perform(
     }
 }
 
+/// Where `op` looks for a texel, or whose level it asks about, if there is nothing there.
+pub(crate) fn astray(shape: TextureShape, op: TextureOp, operands: &Operands<u64>) -> Option<At> {
+    let at = place(operands);
+    let is_inside = match op {
+        TextureOp::Load | TextureOp::Store | TextureOp::Atomic(_) => inside(shape, at).is_some(),
+        TextureOp::Size => (0..i64::from(shape.levels)).contains(&at.level),
+        TextureOp::Sample(_) | TextureOp::Levels | TextureOp::Layers | TextureOp::Samples => true,
+    };
+    (!is_inside).then_some(at)
+}
+
 fn integer(bits: Option<u64>) -> i64 {
     bits.unwrap_or_default() as i64
 }
@@ -81,7 +92,7 @@ fn lod(operands: &Operands<u64>) -> Lod {
 /// An atomic update of a texel of one integer channel.
 fn update(texels: &mut impl TexelsMut, at: At, fun: Update, value: u64) {
     let format = texels.shape().format;
-    if let Some(place) = inside(texels, at) {
+    if let Some(place) = inside(texels.shape(), at) {
         let [old, ..] = format.decode(texels.texel(place));
         let signed = format.kind() == crate::texture::Kind::Sint;
         let wide = format.bytes() == 8;

@@ -1,8 +1,10 @@
 //! Looks for mistakes of the program that runs, beside each statement; what it computes stays as it is.
 //!
+//! - `bounds` looks at indices and at the numbers of texels.
 //! - `race` knows who touched which word of shared memory since when.
 //! - `unwritten` follows values that nothing was written to until somebody uses one.
 
+mod bounds;
 mod race;
 mod unwritten;
 
@@ -10,7 +12,7 @@ use super::super::error::{InterpError, Res};
 use super::super::finding::{Checks, Fault, Finding, Invocation};
 use super::super::model::Model;
 use super::super::program::op::IntOp;
-use super::super::program::{Block, Count, Eval, Op, Scalar, Stmt, Value};
+use super::super::program::{Block, Eval, Op, Scalar, Stmt, Value};
 use super::input::{Inputs, local};
 use super::{Machine, integer};
 use naga::Span;
@@ -67,6 +69,7 @@ impl Watch {
             Stmt::Atomic(atomic) => {
                 self.touch(m, atomic.place, m.program.scalar(atomic.value), Touch::ATOMIC, atomic.at)
             }
+            Stmt::Texture(access) => self.texels(m, access),
             Stmt::Barrier { at, .. } => {
                 self.barrier(m, *at);
                 Ok(())
@@ -76,7 +79,6 @@ impl Watch {
             | Stmt::Loop { .. }
             | Stmt::Scope { .. }
             | Stmt::Leave(_)
-            | Stmt::Texture(_)
             | Stmt::Subgroup(_) => Ok(()),
         }
     }
@@ -88,25 +90,6 @@ impl Watch {
             (Op::Load { place, scalar, .. }, _) => self.touch(m, place, scalar, Touch::READ, eval.at),
             _ => Ok(()),
         }
-    }
-
-    fn index<M: Model>(
-        &mut self,
-        m: &Machine<'_, M>,
-        at: Span,
-        (count, stride): (Count, u32),
-        index: Value,
-    ) -> Res<()> {
-        let (scalar, count) = (m.program.scalar(index), m.count(count, stride));
-        let words = m.words(index)?;
-        for lane in m.flow.active.lanes() {
-            let number = integer::number(m.model.word_value(words.at(lane)), scalar);
-            if !(0..i128::from(count)).contains(&number) {
-                let message = || format!("index {number} of {count} elements");
-                self.report(m, (Fault::OutOfBounds, at), lane, message);
-            }
-        }
-        Ok(())
     }
 
     fn division<M: Model>(

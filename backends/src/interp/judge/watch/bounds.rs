@@ -1,0 +1,43 @@
+//! Looks for what is not there: elements of arrays, texels of textures.
+
+use super::super::super::error::Res;
+use super::super::super::finding::Fault;
+use super::super::super::model::Model;
+use super::super::super::program::{Access, Count, Value};
+use super::super::super::texture::astray;
+use super::super::{Machine, integer};
+use super::Watch;
+use naga::Span;
+
+impl Watch {
+    pub(super) fn index<M: Model>(
+        &mut self,
+        m: &Machine<'_, M>,
+        at: Span,
+        (count, stride): (Count, u32),
+        index: Value,
+    ) -> Res<()> {
+        let (scalar, count) = (m.program.scalar(index), m.count(count, stride));
+        let words = m.words(index)?;
+        for lane in m.flow.active.lanes() {
+            let number = integer::number(m.model.word_value(words.at(lane)), scalar);
+            if !(0..i128::from(count)).contains(&number) {
+                let message = || format!("index {number} of {count} elements");
+                self.report(m, (Fault::OutOfBounds, at), lane, message);
+            }
+        }
+        Ok(())
+    }
+
+    /// The place of a texel in each lane.
+    pub(super) fn texels<M: Model>(&mut self, m: &Machine<'_, M>, access: &Access) -> Res<()> {
+        let shape = m.images[access.image as usize].shape();
+        for lane in m.flow.active.lanes() {
+            if let Some(at) = astray(shape, access.op, &m.texture_operands(access, lane)?) {
+                let message = || format!("{at} of {shape}");
+                self.report(m, (Fault::OutOfBounds, access.at), lane, message);
+            }
+        }
+        Ok(())
+    }
+}
