@@ -12,6 +12,7 @@ extern crate self as lobe_codegen;
 
 pub mod data;
 pub mod def;
+mod directives;
 pub mod emit;
 pub mod foreign;
 mod guard;

@@ -4,6 +4,7 @@
 //! each operand is computed on every way to its use ([`crate::scope`]), and whether each path of a
 //! function returns its value.
 
+use crate::directives;
 use crate::module::{Meta, ValidModule};
 use crate::scope;
 use naga::valid::{Capabilities, ModuleInfo, ValidationError, ValidationFlags, Validator};
@@ -117,7 +118,7 @@ pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn foreign_wgsl(text: &str) -> Result<ValidModule, ValidateError> {
-    foreign(parsed(text)?)
+    foreign(parsed(&directives::blanked(text))?)
 }
 
 fn parsed(text: &str) -> Result<naga::Module, ValidateError> {

@@ -79,6 +79,18 @@ fn a_shader_runs_on_its_data_and_leaves_its_results() {
 }
 
 #[test]
+fn directives_that_naga_does_not_know_are_no_hindrance_and_move_nothing() {
+    let main = "{ out[0] = subgroupAdd(1u); }";
+    let good = format!("// A module.\nenable f16, subgroups;\nrequires subgroup_id;\n{OUT}{MAIN} {main}");
+    let bad = good.replace("1u", "x");
+    let folder = folder(&[("good.wgsl", good.as_bytes()), ("bad.wgsl", bad.as_bytes())]);
+    assert_holds(&lobe(&["run", &at(&folder, "good.wgsl"), "--route", "interp"]));
+    let said = lobe(&["run", &at(&folder, "bad.wgsl"), "--route", "interp"]);
+    let column = MAIN.len() + " { out[0] = subgroupAdd(".len() + 1;
+    assert!(text(&said.stdout).contains(&format!("bad.wgsl:5:{column}")), "{}", text(&said.stdout));
+}
+
+#[test]
 fn what_does_not_fit_the_shader_is_named() {
     let wgsl = format!("{OUT}{MAIN} out[0] = 1u; }} {} out[1] = 1u; }}", MAIN.replace("main", "other"));
     let folder = folder(&[("two.wgsl", wgsl.as_bytes()), ("odd.bin", &[1, 2, 3]), ("bad.json", b"[1, -1]")]);

@@ -8,6 +8,8 @@ mod read;
 pub use entry::{Override, choose, isolate};
 pub use read::read;
 
+use crate::directives;
+use std::borrow::Cow;
 use std::path::Path;
 
 /// What a shader is written in.
@@ -53,6 +55,12 @@ impl Source {
             Language::Wgsl | Language::Glsl => std::str::from_utf8(&self.bytes).ok(),
             Language::Spirv => None,
         }
+    }
+
+    /// WGSL as naga takes it: without directives that it does not know and does not need, everything in its place.
+    #[must_use]
+    pub fn wgsl(&self) -> Option<Cow<'_, str>> {
+        self.text().filter(|_| self.language == Language::Wgsl).map(directives::blanked)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{ForeignError, Language, Source, guarded};
 use crate::ValidModule;
+use crate::directives;
 use crate::validate::{self, ValidateError};
 use naga::ShaderStage;
 use naga::front::{glsl, spv, wgsl};
@@ -22,7 +23,8 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
     match source.language {
         Language::Wgsl => {
             let text = decoded(source)?;
-            let parsed = guarded(source, "WGSL front end", || wgsl::parse_str(text))?;
+            let accepted = directives::blanked(text);
+            let parsed = guarded(source, "WGSL front end", || wgsl::parse_str(&accepted))?;
             parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
         }
         Language::Glsl => {

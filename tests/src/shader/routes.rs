@@ -242,9 +242,9 @@ impl Routes {
         };
         match road {
             Some(Road::Spirv) => write(Target::Spirv),
-            Some(Road::WgslNaga) => match subject.source.text().filter(|_| subject.is_wgsl_as_written()) {
+            Some(Road::WgslNaga) => match subject.source.wgsl().filter(|_| subject.is_as_written) {
                 Some(text) => {
-                    Ok(Plain { content: Content::Text(text.to_owned()), entry: subject.entry.to_owned() })
+                    Ok(Plain { content: Content::Text(text.into_owned()), entry: subject.entry.to_owned() })
                 }
                 None => write(Target::Wgsl),
             },
@@ -276,12 +276,6 @@ fn left(
 ) -> Result<Vec<Vec<u8>>, Failure> {
     let owned = run(&subject.interp).map_err(|e| Failure::of_machine(&e))?;
     Ok(subject.given.iter().filter(|g| g.is_written()).map(|g| owned.bytes(g).to_vec()).collect())
-}
-
-impl Subject<'_> {
-    fn is_wgsl_as_written(&self) -> bool {
-        self.source.language == Language::Wgsl && self.is_as_written
-    }
 }
 
 impl Failure {
