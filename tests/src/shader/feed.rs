@@ -78,7 +78,7 @@ pub struct Said<'s> {
 /// What `resource` is given.
 ///
 /// A buffer has the stated size, else that of the file, else as many elements as there are invocations, and at least
-/// 64; a texture without a word has 16 texels along each side.
+/// 64; a texture without a word has 16 texels along each side, all its levels, and 4 pictures in an array.
 ///
 /// # Errors
 /// When the file cannot be read or does not follow the type, or the size does not fit.

@@ -9,6 +9,9 @@ use naga::{ImageClass, ImageDimension, Scalar, ScalarKind, StorageAccess};
 /// Texels along each side of a texture of which nothing is said.
 const SIDE: u32 = 16;
 
+/// Pictures, or cubes, of an array of which nothing is said.
+const PICTURES: u32 = 4;
+
 /// Samples of a texel in multisampled textures: what every driver has.
 const SAMPLES: u32 = 4;
 
@@ -35,6 +38,13 @@ impl std::str::FromStr for Sketch {
         let size = size.and_then(|s| s.try_into().ok()).ok_or_else(wanted)?;
         let mut number = || parts.next().map_or(Ok(1), |n| n.parse().map_err(|_| wanted()));
         Ok(Self { text: text.to_owned(), format, size, layers: number()?, levels: number()? })
+    }
+}
+
+impl Sketch {
+    fn shape(&self, dimension: Dimension) -> TextureShape {
+        let shape = TextureShape::new(self.format, dimension, self.size).levelled(self.levels);
+        shape.layered(shape.layers.max(self.layers))
     }
 }
 
@@ -120,7 +130,8 @@ pub fn sampler(words: Option<&SamplerWords>, is_comparison: bool) -> Sampler {
     Sampler { compare, ..sampler }
 }
 
-/// The shape of a texture and what the shader does with it; without a sketch [`SIDE`] texels along each side.
+/// The shape of a texture and what the shader does with it; without a sketch [`SIDE`] texels along each side,
+/// [`PICTURES`] in an array, and all the levels that there can be.
 #[must_use]
 pub fn kind(
     sketch: Option<&Sketch>,
@@ -136,19 +147,25 @@ pub fn kind(
         (ImageDimension::Cube, false) => Dimension::Cube,
         (ImageDimension::Cube, true) => Dimension::CubeArray,
     };
-    let format = sketch.map_or_else(|| usual_format(class), |s| s.format);
-    let size = sketch.map_or_else(|| usual_size(dimension), |s| s.size);
-    let shape = TextureShape::new(format, dimension, size).levelled(sketch.map_or(1, |s| s.levels));
-    let shape = shape.layered(shape.layers.max(sketch.map_or(1, |s| s.layers)));
+    let is_multisampled =
+        matches!(class, ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true });
+    let shape = sketch.map_or_else(|| usual_shape(dimension, class, is_multisampled), |s| s.shape(dimension));
+    let shape = TextureShape { samples: if is_multisampled { SAMPLES } else { 1 }, ..shape };
     match class {
         ImageClass::Storage { access, .. } => BindingKind::StorageTexture(shape, self::access(access)),
-        ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true } => {
-            BindingKind::Texture(TextureShape { samples: SAMPLES, ..shape })
-        }
         ImageClass::Sampled { .. } | ImageClass::Depth { .. } | ImageClass::External => {
             BindingKind::Texture(shape)
         }
     }
+}
+
+fn usual_shape(dimension: Dimension, class: ImageClass, is_multisampled: bool) -> TextureShape {
+    let shape = TextureShape::new(usual_format(class), dimension, usual_size(dimension));
+    let is_array = matches!(dimension, Dimension::D2Array | Dimension::CubeArray);
+    let has_levels =
+        dimension != Dimension::D1 && !is_multisampled && !matches!(class, ImageClass::Storage { .. });
+    let shape = shape.layered(if is_array { shape.layers * PICTURES } else { shape.layers });
+    shape.levelled(if has_levels { SIDE.ilog2() + 1 } else { 1 })
 }
 
 fn usual_format(class: ImageClass) -> Format {

@@ -31,7 +31,7 @@ pub(super) struct JobArgs {
     /// Length of a buffer
     #[arg(long = "size", value_name = "NAME=BYTES", value_parser = named::<usize>)]
     sizes: Vec<(String, usize)>,
-    /// Shape of a texture [default: 16 texels along each side]
+    /// Shape of a texture [default: 16 texels along each side, all levels, 4 pictures in an array]
     #[arg(long = "texture", value_name = "NAME=FORMAT:WxHxD[:LAYERS[:LEVELS]]", value_parser = named::<Sketch>)]
     textures: Vec<(String, Sketch)>,
     /// Words for a sampler: linear, mip-linear, repeat, mirror, less, .., lod:LOW:HIGH [default: nearest]
