@@ -80,7 +80,7 @@ fn a_shader_runs_on_its_data_and_leaves_its_results() {
 
 #[test]
 fn directives_that_naga_does_not_know_are_no_hindrance_and_move_nothing() {
-    let main = "{ out[0] = subgroupAdd(1u); }";
+    let main = "{ out[0] = subgroupAdd(1u); } }";
     let good = format!("// A module.\nenable f16, subgroups;\nrequires subgroup_id;\n{OUT}{MAIN} {main}");
     let bad = good.replace("1u", "x");
     let folder = folder(&[("good.wgsl", good.as_bytes()), ("bad.wgsl", bad.as_bytes())]);
