@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::pipelines::fillers;
-use super::{Binding, BindingKind, GpuError, Job, Shader, spirv};
+use super::{Access, Binding, BindingKind, Driver, GpuError, Job, Shader, spirv};
 use crate::texture::{Dimension, Format, Kind, Sampler, TextureShape};
 
 /// Checks `job` against itself and against the `limits` of the device that is to run it.
@@ -20,6 +20,21 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
             checked.map_err(|reason| GpuError::BadSpirv { reason })
         }
     }
+}
+
+/// Checks that `driver` reads the storage textures of `job` that are to be read: some crash on formats without a name.
+pub(super) fn check_formats(driver: &Driver, job: &Job) -> Result<(), GpuError> {
+    let is_unnamed = |b: &Binding| match b.kind {
+        BindingKind::StorageTexture(shape, Access::Read | Access::ReadWrite) => {
+            shape.format == Format::Storage(naga::StorageFormat::Bgra8Unorm)
+        }
+        _ => false,
+    };
+    if driver.has_unnamed_formats || !job.bindings.iter().any(is_unnamed) {
+        return Ok(());
+    }
+    let feature = "reading of storage textures of format bgra8unorm, for which SPIR-V has no name";
+    Err(GpuError::Unsupported { driver: driver.name.clone(), feature })
 }
 
 fn bad<T>(reason: impl Into<String>) -> Result<T, GpuError> {
@@ -174,7 +189,6 @@ fn check_buffer(driver: &str, limits: &wgpu::Limits, binding: &Binding, most: u6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::Access;
 
     fn job<'a>(workgroup_size: [u32; 3], groups: [u32; 3], bindings: &'a [Binding<'a>]) -> Job<'a> {
         Job { shader: Shader::Wgsl(""), entry: "main", workgroup_size, groups, bindings }

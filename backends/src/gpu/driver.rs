@@ -31,6 +31,8 @@ pub struct Driver {
     pub has_passthrough: bool,
     /// What shaders may use beyond what every device has.
     pub capabilities: Capabilities,
+    /// Whether shaders may read storage textures of formats that SPIR-V has no name for.
+    pub has_unnamed_formats: bool,
     /// Tells apart several devices of the same name: their place among those of one source.
     index: usize,
 }
@@ -92,6 +94,7 @@ fn describe(adapter: &wgpu::Adapter, vulkan_icd: Option<PathBuf>, index: usize) 
             features & WANTED,
             adapter.get_downlevel_capabilities().flags,
         ),
+        has_unnamed_formats: icd::reads_without_format(adapter),
         index,
     }
 }
@@ -159,6 +162,7 @@ mod tests {
             has_f64: false,
             has_passthrough: false,
             capabilities: Capabilities::empty(),
+            has_unnamed_formats: false,
             index: 0,
         }
     }

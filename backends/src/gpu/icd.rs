@@ -32,6 +32,17 @@ pub(super) fn instance(manifest: &Path) -> Result<wgpu::Instance, String> {
     Ok(unsafe { wgpu::Instance::from_hal::<wgpu::hal::api::Vulkan>(hal) })
 }
 
+/// Whether a shader may read storage images whose format it does not state; wgpu does not ask.
+pub(super) fn reads_without_format(adapter: &wgpu::Adapter) -> bool {
+    // SAFETY: the device is asked for what it can do, and nothing of it is kept or ended.
+    let features = unsafe {
+        adapter.as_hal::<wgpu::hal::api::Vulkan>().map(|hal| {
+            hal.shared_instance().raw_instance().get_physical_device_features(hal.raw_physical_device())
+        })
+    };
+    features.is_some_and(|features| features.shader_storage_image_read_without_format == vk::TRUE)
+}
+
 /// The library that a manifest names: absolute, relative to the manifest, or a bare name for the system to find.
 fn library_path(manifest: &Path) -> Result<PathBuf, String> {
     let explain = |reason: String| format!("{}: {reason}", manifest.display());

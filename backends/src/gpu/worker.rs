@@ -80,6 +80,7 @@ impl Gpu {
     /// Runs a job, or times it.
     fn ask(&mut self, job: &Job, rounds: usize) -> Result<Answer, GpuError> {
         check::check(&self.driver.name, &self.limits, job)?;
+        check::check_formats(&self.driver, job)?;
         let worker = match self.worker.take() {
             Some(worker) => worker,
             None => Worker::start(&self.driver, self.timeout)?.0,
