@@ -2,22 +2,29 @@
 
 use crate::common;
 use crate::run::{Operation, Ty, bits_of, bytes};
-use crate::soft::{Format, Number};
+use crate::soft::{self, Format, Number};
 use lobe_backends::gpu::{Binding, BindingKind, Gpu, Job, Shader};
 use lobe_codegen::validate;
 use naga::back::spv;
 
 /// What naga's SPIR-V or the driver cannot do: bit functions of 16 and 64 bits crash one or the other, and
-/// widening to a signed type extends by a sign that the operand has not. A remainder of floats inherits what the quotient
+/// widening extends by the sign of the type that is wanted, not of the one that is there. A remainder of floats inherits what the quotient
 /// before it was rounded to: it is any number of the divisor's size.
 fn is_beyond(operation: &Operation) -> bool {
     let from = operation.args[0];
     let names = ["count", "reverseBits", "first", "extractBits", "insertBits"];
     let of_bits = from.bits() != 32 && names.iter().any(|name| operation.wgsl.starts_with(name));
-    let widens =
-        |to: Ty| operation.wgsl == format!("{}(a)", to.name()) && !from.signed() && from.bits() < to.bits();
+    let widens = |to: Ty| {
+        let is_conversion = operation.wgsl == format!("{}(a)", to.name());
+        is_conversion && from.signed() != to.signed() && from.bits() < to.bits()
+    };
+    // Beyond their range WGSL says nothing of them, for it has no such integers.
+    let to_short = from.format().is_some() && ["i16(a)", "u16(a)"].contains(&&*operation.wgsl);
     let of_floats = operation.wgsl == "a % b" && from.format().is_some();
-    of_bits || of_floats || (from.format().is_none() && [Ty::I32, Ty::I64].into_iter().any(widens))
+    of_bits
+        || to_short
+        || of_floats
+        || (from.format().is_none() && crate::run::INTEGERS.into_iter().any(widens))
 }
 
 fn spirv(text: &str) -> Vec<u32> {
@@ -43,6 +50,23 @@ fn ulps(wgsl: &str) -> u64 {
     }
 }
 
+/// Whether two numbers are so many ULPs apart; zeros are one number.
+fn near(format: Format, a: u64, b: u64, ulps: u64) -> bool {
+    let sign = |bits: u64| bits >> (format.bits - 1);
+    let magnitude = |bits: u64| bits & ((1 << (format.bits - 1)) - 1);
+    let are_zeros = magnitude(a) == 0 && magnitude(b) == 0;
+    are_zeros || (sign(a) == sign(b) && magnitude(a).abs_diff(magnitude(b)) <= ulps)
+}
+
+/// A product and then a sum, as `fma` may be; the product is rounded either way.
+fn in_two_steps(format: Format, row: &[u64]) -> impl Iterator<Item = u64> {
+    let product = format.encode(soft::mul(format.decode(row[0]), format.decode(row[1])));
+    let more = format.decode(row[2]);
+    [product.saturating_sub(1), product, product + 1]
+        .into_iter()
+        .map(move |product| format.encode(soft::add(format.decode(product), more)))
+}
+
 impl Operation {
     /// Whether a driver may return `got` where `want` is the right result.
     fn permits(&self, row: &[u64], got: u64, want: u64) -> bool {
@@ -52,15 +76,8 @@ impl Operation {
             return got == want || !plain;
         };
         plain &= ordinary(format, want);
-        let zero = |bits: u64| {
-            format.decode(bits) == Number::Finite { negative: false, size: 0, power: format.least() }
-        };
-        let magnitude = |bits: u64| bits & ((1 << (format.bits - 1)) - 1);
-        got == want
-            || !plain
-            || (zero(magnitude(got)) && zero(magnitude(want)))
-            || (got >> (format.bits - 1) == want >> (format.bits - 1)
-                && magnitude(got).abs_diff(magnitude(want)) <= ulps(&self.wgsl))
+        let is_near = |want| near(format, got, want, ulps(&self.wgsl));
+        !plain || is_near(want) || (self.wgsl.starts_with("fma") && in_two_steps(format, row).any(is_near))
     }
 
     /// Panics on the first row whose result WGSL does not permit.
