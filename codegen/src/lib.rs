@@ -24,6 +24,7 @@ pub mod module;
 pub mod names;
 pub mod prelude;
 pub mod scope;
+pub mod source;
 pub mod types;
 pub mod validate;
 

@@ -1,6 +1,7 @@
 //! A naga module with what naga does not carry: exact literals, truths, definitions, sources.
 
 use crate::def::{FunctionDef, Truth};
+use crate::source::Sources;
 use naga::valid::ModuleInfo;
 use std::collections::HashMap;
 
@@ -50,6 +51,8 @@ pub struct Meta {
     pub truths: HashMap<naga::Handle<naga::Function>, Truth>,
     /// The definition that each function was lowered from.
     pub definitions: HashMap<naga::Handle<naga::Function>, &'static FunctionDef>,
+    /// The Rust lines that it was lowered from.
+    pub sources: Sources,
 }
 
 /// The arena that an expression handle belongs to.

@@ -7,6 +7,7 @@ use crate::question::agree::Agree;
 use crate::question::conformant::Conformant;
 use crate::question::correct::Approximation;
 use crate::question::robust::Robust;
+use crate::question::sanitized::Sanitized;
 use crate::question::{Answer, Batch, Question, Verdict};
 use crate::report::KernelReport;
 use crate::subject::Subject;
@@ -31,6 +32,8 @@ pub struct Plan {
     pub cases: Cases,
     /// Which table speaks of which kernel.
     pub mapping: Mapping,
+    /// Whether to look for mistakes of the kernels themselves.
+    pub sanitize: bool,
 }
 
 /// Why a kernel could not be judged.
@@ -100,7 +103,7 @@ fn answers(
     let listed = plan.cases.listed(subject.def())?;
     let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
     report.take_inputs(&inputs);
-    let mut questions = Questions::new(routes);
+    let mut questions = Questions::new(routes, plan.sanitize);
     each_batch(&subject, &inputs.args, routes, &mut |batch| {
         questions.ask(batch);
         progress(batch.args.rows);
@@ -135,16 +138,18 @@ struct Questions {
     robust: Robust,
     conformant: Conformant,
     agree: Agree,
+    sanitized: Option<Sanitized>,
 }
 
 impl Questions {
-    fn new(routes: &[Box<dyn Executor>]) -> Self {
+    fn new(routes: &[Box<dyn Executor>], sanitize: bool) -> Self {
         let names: Vec<Route> = routes.iter().map(|r| r.route().clone()).collect();
         Self {
             approximation: Approximation::default(),
             robust: Robust::default(),
             conformant: Conformant::default(),
             agree: Agree::new(&names),
+            sanitized: sanitize.then(Sanitized::default),
         }
     }
 
@@ -153,11 +158,13 @@ impl Questions {
         self.robust.absorb(batch);
         self.conformant.absorb(batch);
         self.agree.absorb(batch);
+        self.sanitized.iter_mut().for_each(|sanitized| sanitized.absorb(batch));
     }
 
     fn finish(self, subject: &Subject) -> Vec<Answer> {
         let mut answers: Vec<Answer> = self.approximation.finish(subject).into_iter().collect();
         answers.push(self.robust.finish(subject));
+        answers.extend(self.sanitized.map(|sanitized| sanitized.finish(subject)));
         answers.extend(self.conformant.finish());
         answers.extend(self.agree.finish());
         answers

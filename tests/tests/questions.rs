@@ -7,6 +7,8 @@ use lobe_backends::executor::{Interp, Native};
 use lobe_backends::route::Route;
 use lobe_codegen::data::Columns;
 use lobe_codegen::prelude::*;
+use lobe_tests::judge::{Plan, judge};
+use lobe_tests::question::sanitized::SANITIZED;
 use lobe_tests::question::{Question, Verdict};
 
 /// Doubles.
@@ -94,7 +96,14 @@ fn without_domain(x: f32) -> f32 {
     x
 }
 
-const KERNELS: [lobe_codegen::def::FunctionRef; 12] = lobe_codegen::kernels![
+/// Gives birth to a NaN where x is 0, and leaves the table where n is 4.
+#[kernel(domain(x = 0.0..=1.0, n = 0.0..=4.0))]
+fn makes_mistakes(x: f32, n: u32) -> f32 {
+    let table = [1.0, 2.0, 3.0, 4.0];
+    table[n as usize] + x * 2.0 / x
+}
+
+const KERNELS: [lobe_codegen::def::FunctionRef; 13] = lobe_codegen::kernels![
     doubled,
     cancels,
     cancels_as_stated,
@@ -107,6 +116,7 @@ const KERNELS: [lobe_codegen::def::FunctionRef; 12] = lobe_codegen::kernels![
     pair_with_exception,
     panics,
     without_domain,
+    makes_mistakes,
 ];
 
 fn named(name: &str) -> lobe_codegen::def::FunctionRef {
@@ -288,4 +298,20 @@ impl lobe_backends::executor::Executor for Failing {
     ) -> Result<Columns, lobe_backends::executor::ExecError> {
         Err(lobe_backends::executor::ExecError::EntryPoint { kernel: kernel.name() })
     }
+}
+
+#[test]
+fn mistakes_are_told_with_their_rust_lines_where_they_are_looked_for() {
+    let judged = |index: usize| {
+        let plan = Plan { sanitize: true, ..common::plan(1000) };
+        let report = judge(KERNELS[index], &plan, &mut [Box::new(Interp)], &|_| {});
+        let found = report.answers.into_iter().find(|a| a.subject == SANITIZED);
+        found.expect("an answer").verdict
+    };
+    assert_eq!(judged(0), Verdict::Holds, "doubled");
+    let Verdict::FallsShort(why) = judged(12) else { panic!("no mistakes") };
+    for part in ["NanBirth at ", "questions.rs:", "`x * 2.0 / x`", "OutOfBounds at ", "\"n\":4"] {
+        assert!(why.contains(part), "no {part} in {why}");
+    }
+    assert_eq!(check(KERNELS[12]).answers.iter().filter(|a| a.subject == SANITIZED).count(), 0);
 }

@@ -1,7 +1,7 @@
 //! A kernel made ready to run: its definition, its module, and what executors derive from them.
 
 use super::ExecError;
-use crate::interp::{Interpreter, ShadowColumns};
+use crate::interp::{Checks, Finding, Interpreter, ShadowColumns};
 use lobe_codegen::ValidModule;
 use lobe_codegen::data::{Columns, Leaf, leaves};
 use lobe_codegen::def::{FunctionDef, FunctionRef};
@@ -102,6 +102,16 @@ impl Program {
     pub fn exact(&self, args: &Columns, exact: Option<&[Vec<f64>]>) -> Result<ShadowColumns, ExecError> {
         self.check_shape(args)?;
         let outcome = self.interpreter()?.exact(self.handle, args, exact);
+        outcome.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
+    }
+
+    /// Mistakes that the kernel makes on these rows; see [`Interpreter::sanitize_call`].
+    ///
+    /// # Errors
+    /// When the arguments have another shape, or the interpreter gives up.
+    pub fn sanitize(&self, args: &Columns, checks: Checks) -> Result<Vec<Finding>, ExecError> {
+        self.check_shape(args)?;
+        let outcome = self.interpreter()?.sanitize_call(self.handle, args, checks);
         outcome.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
     }
 

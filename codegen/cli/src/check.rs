@@ -20,6 +20,9 @@ pub(crate) struct Args {
     /// Where the drawing begins; the same seed draws the same rows
     #[arg(long, default_value_t = 7)]
     seed: u64,
+    /// Look for mistakes of the kernels too: division by zero, NaN out of numbers, a place outside an array, ..
+    #[arg(long)]
+    sanitize: bool,
     #[command(flatten)]
     routes: RouteArgs,
     /// Form of the report
@@ -39,6 +42,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         seed: args.seed,
         cases: Cases::standard(),
         mapping: Mapping::standard()?,
+        sanitize: args.sanitize,
     };
     let mut report = Report::new("check", args.seed);
     report.routes = opened.names();

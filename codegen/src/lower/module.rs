@@ -302,7 +302,8 @@ impl ModuleBuilder {
             return Err(clash);
         }
         self.module.doc_comments = Some(Box::new(std::mem::take(&mut self.docs)));
-        let Self { module, meta, sources, .. } = self;
+        let Self { module, mut meta, sources, .. } = self;
+        meta.sources = sources.sources().clone();
         validate(module, meta).map_err(|error| sources.explain(&error))
     }
 }

@@ -2,14 +2,13 @@
 
 use super::error::{LowerError, byte_range, render};
 use crate::def::{FunctionDef, Source, Span};
+use crate::source::{Sources, span_of};
 use crate::validate::ValidateError;
 
-/// Gives each item a stretch of one virtual text, so that a naga span finds its way back.
+/// The sources of what is lowered, and its functions.
 #[derive(Default)]
 pub(super) struct SourceMap {
-    /// First offset and source; offsets start at 1, since naga takes 0..0 for "unknown".
-    stretches: Vec<(u32, &'static Source)>,
-    end: u32,
+    sources: Sources,
     /// Functions and entry points, for errors that know no more than a name.
     functions: Vec<&'static FunctionDef>,
 }
@@ -35,21 +34,12 @@ impl SourceMap {
 
     /// The spans of an item's source.
     pub(super) fn spans(&mut self, source: &'static Source) -> Spans {
-        let known = self.stretches.iter().find(|(_, s)| std::ptr::eq(*s, source));
-        let base = known.map(|(base, _)| *base).unwrap_or_else(|| {
-            let base = self.end.max(1);
-            self.end = base + source.text.len() as u32 + 1;
-            self.stretches.push((base, source));
-            base
-        });
-        Spans { base, source }
+        Spans { base: self.sources.base(source), source }
     }
 
-    /// The source and the range in its text.
-    fn find(&self, span: naga::Span) -> Option<(&'static Source, std::ops::Range<usize>)> {
-        let range = span.to_range()?;
-        let (base, source) = self.stretches.iter().rev().find(|(base, _)| *base as usize <= range.start)?;
-        Some((source, range.start - *base as usize..range.end - *base as usize))
+    /// The sources so far.
+    pub(super) fn sources(&self) -> &Sources {
+        &self.sources
     }
 
     /// A validation error at the Rust lines that it points at.
@@ -60,7 +50,7 @@ impl SourceMap {
             found.push((&def.source, def.span, String::new()));
         }
         for (span, label) in error.spans() {
-            if let Some((source, range)) = self.find(span) {
+            if let Some((source, range)) = self.sources.find(span) {
                 found.push((source, span_of(source, range), label));
             }
         }
@@ -79,15 +69,4 @@ impl SourceMap {
         };
         LowerError::Invalid { message, rendered }
     }
-}
-
-/// Lines and columns of a byte range of a source's text.
-fn span_of(source: &Source, range: std::ops::Range<usize>) -> Span {
-    let position = |offset: usize| {
-        let before = &source.text[..offset.min(source.text.len())];
-        let line = before.matches('\n').count() as u32;
-        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count() as u32);
-        (source.line + line, column)
-    };
-    Span { start: position(range.start), end: position(range.end) }
 }

@@ -8,6 +8,7 @@ pub mod agree;
 pub mod conformant;
 pub mod correct;
 pub mod robust;
+pub mod sanitized;
 mod worst;
 
 pub use worst::{Extreme, Sample, Worst, ulp};

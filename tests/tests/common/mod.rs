@@ -14,7 +14,7 @@ use lobe_tests::report::KernelReport;
 /// A plan without files: nothing listed, no table mapped.
 pub(crate) fn plan(inputs: usize) -> Plan {
     let mapping = Mapping::parse(r#"{"version": 1, "entries": []}"#).expect("a mapping");
-    Plan { inputs, seed: 7, cases: Cases::at("no-such-folder"), mapping }
+    Plan { inputs, seed: 7, cases: Cases::at("no-such-folder"), mapping, sanitize: false }
 }
 
 /// The report on `kernel`, native and interpreted.
