@@ -28,10 +28,20 @@ pub(super) fn plain(module: &ValidModule, entry: &str) -> Result<Vec<u32>, EmitE
         image_load: BoundsCheckPolicy::Unchecked,
         binding_array: restrict,
     };
-    let settings = spv::Options { bounds_check_policies: policies, ..settings() };
+    let settings =
+        spv::Options { bounds_check_policies: policies, capabilities: Some(capabilities()), ..settings() };
     let only =
         spv::PipelineOptions { shader_stage: naga::ShaderStage::Compute, entry_point: entry.to_owned() };
     translate(module, &settings, Some(&only))
+}
+
+/// What naga may use: all but numbers of 8 bits, which it takes to pack and unpack wherever nobody forbids it, on
+/// devices that lack them too.
+fn capabilities() -> naga::FastHashSet<spv::Capability> {
+    /// Beyond the last number that a capability has.
+    const END: u32 = 0x4000;
+    let all = (0..END).filter_map(spv::Capability::from_u32);
+    all.filter(|capability| *capability != spv::Capability::Int8).collect()
 }
 
 fn settings() -> spv::Options<'static> {
