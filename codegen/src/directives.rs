@@ -1,7 +1,8 @@
-//! Extensions of WGSL that naga has, or has nothing of, but whose directives it does not know.
+//! First lines that naga does not know, before a module that it may know all the same.
 //!
-//! Their names are blanked out, so that whatever follows keeps its place. Of an extension that naga lacks the use is
-//! then refused, at its own place, and a module that does not use it runs.
+//! Extensions of WGSL that naga has, or has nothing of: their names are blanked out, so that whatever follows keeps its
+//! place. Of an extension that naga lacks the use is then refused, at its own place, and a module that does not use it
+//! runs. In GLSL it is the version.
 
 use std::borrow::Cow;
 
@@ -45,6 +46,24 @@ pub(crate) fn blanked(text: &str) -> Cow<'_, str> {
         bytes[range].iter_mut().filter(|b| **b != b'\n').for_each(|b| *b = b' ');
     }
     Cow::Owned(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Versions of GLSL that have compute shaders, but that naga does not know by name.
+const VERSIONS: [&str; 4] = ["310", "320", "420", "430"];
+
+/// GLSL with its version raised to 450, which has all of theirs; as long as `text`.
+pub(crate) fn versioned(text: &str) -> Cow<'_, str> {
+    let at = skipped(text, 0);
+    let Some(line) = text[at..].lines().next().filter(|line| line.starts_with("#version")) else {
+        return Cow::Borrowed(text);
+    };
+    let mut words = line.split_whitespace().skip(1);
+    let is_known = words.next().is_some_and(|version| VERSIONS.contains(&version));
+    if !is_known || line.contains("//") {
+        return Cow::Borrowed(text);
+    }
+    let raised = format!("{:width$}", "#version 450", width = line.len());
+    Cow::Owned(format!("{}{raised}{}", &text[..at], &text[at + line.len()..]))
 }
 
 /// The word that `text` begins with.
@@ -116,6 +135,20 @@ fn comment(text: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn versions_with_compute_shaders_are_raised() {
+        for (text, expected) in [
+            ("#version 310 es\nvoid", "#version 450   \nvoid"),
+            ("// a\n#version 430 core\n", "// a\n#version 450     \n"),
+            ("#version 430", "#version 450"),
+        ] {
+            assert_eq!(versioned(text), expected);
+        }
+        for text in ["", "#version", "#version 450", "#version 300 es", "#define X\n#version 430"] {
+            assert_eq!(versioned(text), text);
+        }
+    }
 
     #[test]
     fn known_names_are_blanked_in_directives_alone() {

@@ -4,6 +4,7 @@
 
 mod entry;
 mod read;
+mod spirv;
 
 pub use entry::{Override, choose, isolate};
 pub use read::read;
@@ -80,6 +81,14 @@ pub enum ForeignError {
     Parse {
         /// Its message, with file, line and column where it has them.
         message: String,
+    },
+    /// naga's front end would say yes, and mean something else.
+    #[error("{name}: unsupported: {what}")]
+    Misread {
+        /// The file.
+        name: String,
+        /// What it gets wrong.
+        what: String,
     },
     /// naga's validator says no.
     #[error("{message}")]

@@ -1,6 +1,6 @@
 //! Bytes to modules.
 
-use super::{ForeignError, Language, Source, guarded};
+use super::{ForeignError, Language, Source, guarded, spirv};
 use crate::ValidModule;
 use crate::directives;
 use crate::validate::{self, ValidateError};
@@ -28,13 +28,16 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
             parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
         }
         Language::Glsl => {
-            let text = decoded(source)?;
+            let text = &directives::versioned(decoded(source)?);
             let options = glsl::Options::from(ShaderStage::Compute);
             let parsed =
                 guarded(source, "GLSL front end", || glsl::Frontend::default().parse(&options, text))?;
             parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
         }
         Language::Spirv => {
+            if let Some(what) = spirv::misread(&source.bytes) {
+                return Err(ForeignError::Misread { name: source.name.clone(), what });
+            }
             let options = spv::Options { adjust_coordinate_space: false, ..spv::Options::default() };
             let parsed =
                 guarded(source, "SPIR-V front end", || spv::parse_u8_slice(&source.bytes, &options))?;
