@@ -17,6 +17,7 @@ mod clash;
 mod docs;
 pub mod entry;
 mod hlsl;
+mod layouts;
 mod mark;
 mod plain;
 pub mod reflect;

@@ -5,7 +5,7 @@
 
 mod hlsl;
 
-use super::{Content, EmitError, Target, guarded, spirv};
+use super::{Content, EmitError, Target, guarded, layouts, spirv};
 use crate::ValidModule;
 use naga::ShaderStage;
 use naga::back::wgsl::{WriterFlags, write_string};
@@ -47,7 +47,9 @@ pub fn plain(
             let mut renamed = module.module().clone();
             renamed.entry_points[index].name = ENTRY.to_owned();
             let write = || write_string(&renamed, module.info(), WriterFlags::empty());
-            Ok(Plain { content: Content::Text(guarded(target, write)?), entry: ENTRY.to_owned() })
+            let text = guarded(target, write)?;
+            guarded(target, || Ok::<_, String>(layouts::check(&renamed, &text)))??;
+            Ok(Plain { content: Content::Text(text), entry: ENTRY.to_owned() })
         }
     }
 }
@@ -55,6 +57,7 @@ pub fn plain(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::foreign::{self, Language, Source};
     use crate::validate::foreign_wgsl;
 
     const TEXT: &str = "
@@ -84,6 +87,23 @@ mod tests {
         };
         const OP_ARRAY_LENGTH: u32 = 68;
         assert!(words.iter().any(|w| w & 0xffff == OP_ARRAY_LENGTH && w >> 16 == 5));
+    }
+
+    #[test]
+    fn a_layout_that_wgsl_has_no_words_for_is_refused() {
+        let wgsl = |packing: &str| {
+            let text = format!(
+                "#version 450
+                layout(local_size_x = 1) in;
+                layout({packing}, binding = 0) buffer B {{ float a[4]; }} out_;
+                void main() {{ out_.a[1] = 1.0; }}"
+            );
+            let (language, name, bytes) = (Language::Glsl, String::new(), text.into_bytes());
+            plain(&foreign::read(&Source { name, language, bytes }).unwrap(), Target::Wgsl, "main", [1; 3])
+        };
+        assert!(wgsl("std430").is_ok());
+        let refused = wgsl("std140").unwrap_err().to_string();
+        assert!(refused.contains("no words for the memory layout of `out_`"), "{refused}");
     }
 
     #[test]
