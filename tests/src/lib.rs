@@ -10,6 +10,7 @@ pub mod expectation;
 pub mod figures;
 pub mod judge;
 pub mod measure;
+pub mod mutation;
 pub mod operations;
 pub mod oracle;
 pub mod question;

@@ -11,6 +11,7 @@ mod fail;
 mod figures;
 mod list;
 mod measure;
+mod mutate;
 mod oracle;
 mod output;
 mod route;
@@ -47,6 +48,8 @@ enum Command {
     Oracle(oracle::Args),
     /// Measure the worst errors that the documentation of kernels shows
     Measure(measure::Args),
+    /// Seed faults into kernels and count those that the harness notices
+    Mutate(mutate::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
     /// Measure the throughput of the interpreter, native code and drivers, side by side
@@ -73,6 +76,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Check(args) => check::run(args),
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
+        Command::Mutate(args) => mutate::run(args),
         Command::Figures(args) => figures::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),

@@ -89,7 +89,7 @@ impl OfRoute {
 }
 
 /// The comparison of one scalar; `None` when the bound says nothing about it.
-fn sample(column: &ShadowColumn, row: usize, word: u32) -> Option<Sample> {
+pub(crate) fn sample(column: &ShadowColumn, row: usize, word: u32) -> Option<Sample> {
     match column {
         ShadowColumn::Float { exact, bound, .. } => {
             let (wanted, permitted) = (exact[row], bound[row]);

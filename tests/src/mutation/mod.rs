@@ -1,0 +1,73 @@
+//! Seeded faults: what a harness is worth is the share of them that it notices.
+//!
+//! A fault is one small change of a kernel's IR ([`sites`] finds the places, [`fault`] says what kinds there are) or of
+//! the text that is emitted ([`text`]). The kernel with the fault is run on the inputs that `lobe check` draws, and each
+//! result is held against the bound that was derived for the kernel without it ([`trial`]): a translator or driver with
+//! that fault would be judged by nothing else.
+//!
+//! What the bound lets pass is looked at again ([`proof`]): on many more inputs, with the bound at those where the fault
+//! shows most. A fault that never changes a bit is equivalent, and counts for nothing.
+
+pub mod fault;
+mod operator;
+pub mod proof;
+pub mod report;
+pub mod sites;
+pub mod text;
+pub mod trial;
+
+use crate::cases::Cases;
+use crate::judge::JudgeError;
+use fault::Mutant;
+use lobe_codegen::def::FunctionRef;
+use rayon::prelude::*;
+use report::{KernelFaults, Outcome};
+use std::time::Instant;
+use trial::Reference;
+
+/// How faults are sought.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Rows that each kernel with a fault is run on.
+    pub inputs: usize,
+    /// Where the drawing begins.
+    pub seed: u64,
+    /// Rows on which a fault that shows nowhere counts as none.
+    pub equivalence: usize,
+    /// Listed cases.
+    pub cases: Cases,
+    /// When to stop.
+    pub until: Option<Instant>,
+}
+
+impl Plan {
+    fn is_over(&self) -> bool {
+        self.until.is_some_and(|until| Instant::now() >= until)
+    }
+}
+
+/// Seeds every fault into `kernel`, and tells what becomes of each.
+///
+/// `progress` is called with the number of faults done and to do.
+///
+/// # Errors
+/// When the kernel cannot be run at all.
+pub fn mutate(
+    kernel: FunctionRef,
+    plan: &Plan,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<KernelFaults, JudgeError> {
+    let reference = Reference::new(kernel, plan)?;
+    let mut mutants = sites::faults(reference.program());
+    mutants.extend(text::faults(reference.program()));
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let try_one = |mutant: &Mutant| {
+        let outcome = if plan.is_over() { Outcome::NotTried } else { trial::judge(&reference, mutant) };
+        let so_far = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        progress(so_far, mutants.len());
+        outcome
+    };
+    let mut outcomes: Vec<Outcome> = mutants.par_iter().map(try_one).collect();
+    proof::look_again(&reference, plan, &mutants, &mut outcomes);
+    Ok(KernelFaults::new(reference.program().name(), mutants, outcomes))
+}
