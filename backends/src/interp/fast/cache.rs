@@ -31,10 +31,17 @@ impl Cache {
         }
         let program = lower()?;
         let packed = matches!(scope, Scope::Entry(_)) && !program.cooperative;
-        let code = Arc::new(Code::new(program, packed, isa)?);
+        let code = Arc::new(link(program, packed, isa)?);
         known().insert((scope, isa), Arc::clone(&code));
         Ok(code)
     }
+}
+
+/// All forms of all operations hang on this function: where it is not generic they are compiled once, not again in each
+/// crate that runs programs.
+#[inline(never)]
+fn link(program: Program, packed: bool, isa: Isa) -> Res<Code<LANES>> {
+    Code::new(program, packed, isa)
 }
 
 impl std::fmt::Debug for Cache {
