@@ -15,30 +15,86 @@ fn scaled(mantissa: f32, rounded: f32) -> f32 {
     f32::from_bits(mantissa.to_bits().wrapping_add(rounded.to_bits() << 23))
 }
 
-/// The result where it is a normal number, infinity above, zero below; NaN of NaN.
-#[inline(always)]
-fn in_range(x: f32, result: f32, least: f32, most: f32) -> f32 {
-    let result = if x > most { f32::INFINITY } else { result };
-    let result = if x < least { 0.0 } else { result };
-    if x.is_nan() { x } else { result }
+/// Arguments whose results are normal numbers.
+struct Normal {
+    least: f32,
+    most: f32,
+}
+
+const EXP: Normal = Normal { least: -87.336_54, most: 88.722_83 };
+const EXP2: Normal = Normal { least: -126.0, most: f32::MAX_EXP as f32 - 7.629_394_5e-6 };
+
+impl Normal {
+    /// Zero instead of a result below the normal numbers.
+    #[inline(always)]
+    fn flushed(&self, x: f32, result: f32) -> f32 {
+        if x < self.least { 0.0 } else { result }
+    }
+
+    /// The result where it is a normal number, infinity above, zero below; NaN of NaN.
+    #[inline(always)]
+    fn of_any(&self, x: f32, result: f32) -> f32 {
+        let result = self.flushed(x, result);
+        if x <= self.most { result } else { x + f32::INFINITY }
+    }
+}
+
+/// The same functions where they are finite: same results for arguments that the function before takes, without the way
+/// for others.
+pub mod finite {
+    use super::{EXP, EXP2};
+
+    /// Whether [`exp`] takes this argument.
+    #[inline(always)]
+    pub fn has_exp(x: f32) -> bool {
+        x <= EXP.most
+    }
+
+    /// See [`exp`](super::exp).
+    #[inline(always)]
+    pub fn exp(x: f32) -> f32 {
+        EXP.flushed(x, super::exp_normal(x))
+    }
+
+    /// Whether [`exp2`] takes this argument.
+    #[inline(always)]
+    pub fn has_exp2(x: f32) -> bool {
+        x <= EXP2.most
+    }
+
+    /// See [`exp2`](super::exp2).
+    #[inline(always)]
+    pub fn exp2(x: f32) -> f32 {
+        EXP2.flushed(x, super::exp2_normal(x))
+    }
 }
 
 /// `e^x`: the power of two next to it times a polynomial of degree 6 in the rest. At most 0.99 ULP; results
 /// below the smallest normal number are 0.
 #[inline(always)]
 pub fn exp(x: f32) -> f32 {
+    EXP.of_any(x, exp_normal(x))
+}
+
+#[inline(always)]
+fn exp_normal(x: f32) -> f32 {
     let rounded = x * std::f32::consts::LOG2_E + ROUND;
     let n = rounded - ROUND;
     let r = (x - n * LN_2_HIGH) - n * LN_2_LOW;
     let p = polynomial(r, [0.499_999_94, 0.166_665_21, 0.041_668_39, 0.008_368_717, 0.001_381_459_8]);
     let mantissa = (r * r) * p + r + 1.0;
-    in_range(x, scaled(mantissa, rounded), -87.336_54, 88.722_83)
+    scaled(mantissa, rounded)
 }
 
 /// `2^x`: the power of two next to it times a polynomial of degree 6 in the rest. At most 0.73 ULP; results
 /// below the smallest normal number are 0.
 #[inline(always)]
 pub fn exp2(x: f32) -> f32 {
+    EXP2.of_any(x, exp2_normal(x))
+}
+
+#[inline(always)]
+fn exp2_normal(x: f32) -> f32 {
     let rounded = x + ROUND;
     let r = x - (rounded - ROUND);
     // 1 + r/2 as a rounded sum and what it lacks.
@@ -50,5 +106,5 @@ pub fn exp2(x: f32) -> f32 {
         [0.193_147_2, 0.240_226_48, 0.055_503_324, 0.009_618_441, 0.001_339_886_5, 1.535_249_9e-4],
     );
     let mantissa = high + (low + r * p);
-    in_range(x, scaled(mantissa, rounded), -126.0, f32::MAX_EXP as f32 - 7.629_394_5e-6)
+    scaled(mantissa, rounded)
 }

@@ -19,7 +19,7 @@ mod logarithm;
 mod power;
 mod trigonometric;
 
-pub use exponential::{exp, exp2};
+pub use exponential::{exp, exp2, finite};
 pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub use inverse::{acos, asin, atan, atan2};
 pub use logarithm::{log, log2};
@@ -128,6 +128,24 @@ mod tests {
             let (found, wanted) = (atan2(y, x), libm::atan2(y.into(), x.into()) as f32);
             let same = found.to_bits() == wanted.to_bits() || found.is_nan() && wanted.is_nan();
             assert!(same, "{y:e}, {x:e}: {found:e}, {wanted:e}");
+        }
+    }
+
+    /// Every 1021st float that the short ways take, and the last ones.
+    #[test]
+    fn finite_powers_are_the_same() {
+        let table: [(fn(f32) -> bool, fn(f32) -> f32, Row); 2] = [
+            (finite::has_exp, finite::exp, (exp, libm::exp)),
+            (finite::has_exp2, finite::exp2, (exp2, libm::exp2)),
+        ];
+        for (row, (has, short, (long, exact))) in table.into_iter().enumerate() {
+            let last = (0..F::MAX.to_bits()).rev().map(F::from_bits).find(|x| has(*x)).unwrap_or(F::NAN);
+            assert!(long(last).is_finite() && long(last.next_up()) == F::INFINITY, "{row}: {last}");
+            let some = (0..=u32::MAX).step_by(1021).map(F::from_bits);
+            for x in some.chain([last, F::NAN, -F::NAN, F::INFINITY, F::NEG_INFINITY]) {
+                assert!(!has(x) || short(x).to_bits() == long(x).to_bits(), "{row}: {x:e}");
+                assert!(has(x) == !(x.is_nan() || exact(x.into()) as f32 == F::INFINITY), "{row}: {x:e}");
+            }
         }
     }
 

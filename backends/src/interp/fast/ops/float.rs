@@ -4,7 +4,7 @@ use super::super::super::program::op::FloatOp;
 use super::super::super::scalar::float as numbers;
 use super::super::shape::{Ask, Fn1, Found, one, one_plain, three_alike, two, two_alike, two_commuting};
 use super::functions;
-use lobe_codegen::math::elementary::near;
+use lobe_codegen::math::elementary::{finite, near};
 use lobe_codegen::math::scalar;
 
 functions! {
@@ -30,8 +30,6 @@ functions! {
     Saturate(x: f32) -> f32 = scalar::saturate(x);
     Sqrt(a: f32) -> f32 = scalar::sqrt(a);
     InverseSqrt(a: f32) -> f32 = scalar::inverse_sqrt(a);
-    Exp(a: f32) -> f32 = scalar::exp(a);
-    Exp2(a: f32) -> f32 = scalar::exp2(a);
     Log(a: f32) -> f32 = scalar::log(a);
     Log2(a: f32) -> f32 = scalar::log2(a);
     Pow(x: f32, y: f32) -> f32 = scalar::pow(x, y);
@@ -53,9 +51,9 @@ functions! {
     Significand(x: f32) -> f32 = numbers::f32(FloatOp::Significand, [x; 3]);
 }
 
-/// Functions of angles: where no lane's angle is large, without the way for large ones.
-macro_rules! angular {
-    ($($name:ident $function:ident;)*) => {
+/// Functions with a shorter way for most numbers: it is gone where it is right for all lanes.
+macro_rules! shortened {
+    ($($name:ident $function:ident, $short:path where $right:path;)*) => {
         $(
             struct $name;
             impl Fn1 for $name {
@@ -67,9 +65,9 @@ macro_rules! angular {
                 }
                 #[inline(always)]
                 fn lanes<const N: usize>(d: &mut [f32; N], a: &[f32; N]) {
-                    if a.iter().fold(true, |all, a| all & near::holds(*a)) {
+                    if a.iter().fold(true, |all, a| all & $right(*a)) {
                         for lane in 0..N {
-                            d[lane] = near::$function(a[lane]);
+                            d[lane] = $short(a[lane]);
                         }
                     } else {
                         for lane in 0..N {
@@ -81,7 +79,13 @@ macro_rules! angular {
         )*
     };
 }
-angular! { Sin sin; Cos cos; Tan tan; }
+shortened! {
+    Sin sin, near::sin where near::holds;
+    Cos cos, near::cos where near::holds;
+    Tan tan, near::tan where near::holds;
+    Exp exp, finite::exp where finite::has_exp;
+    Exp2 exp2, finite::exp2 where finite::has_exp2;
+}
 
 pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
     match op {
