@@ -28,6 +28,9 @@ pub(crate) struct Args {
     /// Seconds after which no further fault is tried
     #[arg(long, value_name = "SECONDS")]
     limit: Option<u64>,
+    /// List the faults too that only bits tell, and no bound
+    #[arg(long)]
+    survivors: bool,
     /// Form of the report
     #[arg(long, value_enum, default_value_t = ListFormat::Human)]
     format: ListFormat,
@@ -35,9 +38,9 @@ pub(crate) struct Args {
 
 const HELP: &str = "\
 Each fault is one change of a kernel's IR, or of its WGSL: swapped operands, a dropped clamp, a literal that is off, a \
-wrong builtin, .. The kernel with the fault is run, and its results are held against the bound that was derived for the \
-kernel without it, as those of a driver are. What the bound lets pass is run on more inputs (--equivalence), with the \
-bound where the fault shows most. Faults that never change a bit count for nothing.
+wrong builtin, .. The kernel with the fault is run on the inputs of a check, as if one translator had made it. The bound \
+that was derived for the kernel without it may notice it, or else the bits of the other roads to the same driver. What \
+neither notices is run on more inputs (--equivalence): faults that never change a bit count for nothing.
 
 Exit codes: 0 the scores are at least 98 % of all faults and 80 % of those of 1e-6, 1 they are not.";
 
@@ -63,7 +66,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         bar.set_message(kernel().name);
         let faults = mutate(kernel, &plan, &|_, _| {})?;
         if args.format == ListFormat::Human {
-            bar.suspend(|| output::print(&of_kernel(&faults)))?;
+            bar.suspend(|| output::print(&of_kernel(&faults, args.survivors)))?;
         }
         bar.inc(1);
         all.push(faults);
@@ -81,29 +84,24 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 /// How the faults of 1e-4 and more ended, and how the smaller ones.
 fn scores(all: &[KernelFaults]) -> (Count, Count) {
     let sum = |wanted: fn(Kind) -> bool| {
-        all.iter().map(|k| k.count(wanted)).fold(Count::default(), |a, b| Count {
-            killed: a.killed + b.killed,
-            survived: a.survived + b.survived,
-            equivalent: a.equivalent + b.equivalent,
-            undecided: a.undecided + b.undecided,
-            not_tried: a.not_tried + b.not_tried,
-        })
+        all.iter().map(|k| k.count(wanted)).fold(Count::default(), std::ops::Add::add)
     };
     (sum(|kind| !kind.is_small()), sum(Kind::is_small))
 }
 
-fn of_kernel(faults: &KernelFaults) -> String {
+fn of_kernel(faults: &KernelFaults, survivors: bool) -> String {
     let count = faults.count(|_| true);
     let mut text = format!("{}   {}\n", faults.kernel, told(count));
     for (mutant, outcome) in &faults.faults {
-        if let report::Outcome::Survived { share, same } = outcome {
-            let why = if *same {
-                "changes no bit that was seen".to_owned()
-            } else {
-                format!("{share:.2} of the bound")
-            };
-            text += &format!("  survived: {}, {why}\n", shown(mutant));
-        }
+        let why = match outcome {
+            report::Outcome::Missed { rows } => format!("first seen on row {rows} or before"),
+            report::Outcome::Unseen { rows } => format!("not seen on {rows} rows"),
+            report::Outcome::OtherBits { share, rows } if survivors => {
+                format!("only bits of {rows} rows tell, {share:.2} of the bound")
+            }
+            _ => continue,
+        };
+        text += &format!("  {}, {why}\n", shown(mutant));
     }
     text
 }
@@ -119,9 +117,16 @@ fn brief(text: &str) -> String {
 }
 
 fn told(count: Count) -> String {
-    let Count { killed, survived, equivalent, undecided, not_tried } = count;
-    let mut text = format!("{:.1} %: {killed} killed, {survived} survived", 100.0 * count.score());
-    for (n, what) in [(equivalent, "equivalent"), (undecided, "undecided"), (not_tried, "not tried")] {
+    let noticed = count.by_bound + count.by_bits;
+    let mut text = format!(
+        "{:5.1} % ({:5.1} % by the bound): {noticed} noticed",
+        100.0 * count.score(),
+        100.0 * count.score_of_bound()
+    );
+    let Count { missed, unseen, equivalent, not_tried, .. } = count;
+    for (n, what) in
+        [(missed, "missed"), (unseen, "unseen"), (equivalent, "equivalent"), (not_tried, "not tried")]
+    {
         if n > 0 {
             text += &format!(", {n} {what}");
         }
@@ -142,6 +147,7 @@ fn as_json(args: &Args, all: &[KernelFaults]) -> Value {
     let counted = |count: Count| {
         let mut value = json!(count);
         value["score"] = json!(count.score());
+        value["score_of_bound"] = json!(count.score_of_bound());
         value
     };
     let kernels: Vec<Value> = all

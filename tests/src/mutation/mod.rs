@@ -1,12 +1,13 @@
 //! Seeded faults: what a harness is worth is the share of them that it notices.
 //!
 //! A fault is one small change of a kernel's IR ([`sites`] finds the places, [`fault`] says what kinds there are) or of
-//! the text that is emitted ([`text`]). The kernel with the fault is run on the inputs that `lobe check` draws, and each
-//! result is held against the bound that was derived for the kernel without it ([`trial`]): a translator or driver with
-//! that fault would be judged by nothing else.
+//! the text that is emitted ([`text`]). The kernel with the fault is run on the inputs that `lobe check` draws, as if a
+//! translator had made it ([`trial`]): each result is held against the bound that was derived for the kernel without it,
+//! and against the bits of the other roads to the same driver, which have to agree.
+//! A fault that all roads have is judged by the bound alone: that score is told beside the other.
 //!
-//! What the bound lets pass is looked at again ([`proof`]): on many more inputs, with the bound at those where the fault
-//! shows most. A fault that never changes a bit is equivalent, and counts for nothing.
+//! What a check does not notice is run on many more inputs ([`proof`]): a fault that never changes a bit is equivalent,
+//! and counts for nothing.
 
 pub mod fault;
 mod operator;

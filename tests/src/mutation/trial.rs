@@ -77,17 +77,28 @@ pub(super) fn judge(reference: &Reference, mutant: &Mutant) -> Outcome {
     let name = reference.program.name();
     let outcome = lobe_codegen::quietly(|| run(&module, name, &reference.args, Some(FUEL)));
     match outcome {
-        Ok(Ok(found)) => {
-            let same = found.columns == reference.results.columns;
-            compare(&reference.shadow, &found).unwrap_or_else(|share| Outcome::Survived { share, same })
-        }
-        Ok(Err(error)) => Outcome::Killed { how: error.to_string() },
-        Err(panic) => Outcome::Killed { how: format!("panicked: {panic}") },
+        Ok(Ok(found)) => compare(reference, &found),
+        Ok(Err(error)) => Outcome::OutsideBound { how: error.to_string() },
+        Err(panic) => Outcome::OutsideBound { how: format!("panicked: {panic}") },
     }
 }
 
-/// The first row outside its bound, or else the largest share of the bound.
-pub(super) fn compare(shadow: &ShadowColumns, found: &Columns) -> Result<Outcome, f64> {
+/// What tells `found` from the results of the kernel without a fault.
+fn compare(reference: &Reference, found: &Columns) -> Outcome {
+    match outside(&reference.shadow, found) {
+        Ok(how) => Outcome::OutsideBound { how },
+        Err(share) => {
+            let differs = |row: &usize| reference.results.row(*row) != found.row(*row);
+            match (0..found.rows).filter(differs).count() {
+                0 => Outcome::Unseen { rows: found.rows },
+                rows => Outcome::OtherBits { share, rows },
+            }
+        }
+    }
+}
+
+/// The first row outside its bound, or else the largest share of a bound.
+fn outside(shadow: &ShadowColumns, found: &Columns) -> Result<String, f64> {
     let mut share: f64 = 0.0;
     for (column, words) in shadow.columns.iter().zip(&found.columns) {
         let rows = words.iter().enumerate().filter(|(row, _)| !shadow.indeterminate[*row]);
@@ -99,7 +110,7 @@ pub(super) fn compare(shadow: &ShadowColumns, found: &Columns) -> Result<Outcome
                     "row {row} is {} and not {} within {:e}",
                     sample.found, sample.wanted, sample.permitted
                 );
-                return Ok(Outcome::Killed { how });
+                return Ok(how);
             }
             share = share.max(of_row);
         }
