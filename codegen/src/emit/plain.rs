@@ -14,6 +14,8 @@ use naga::back::wgsl::{WriterFlags, write_string};
 const ENTRY: &str = "lobe_entry";
 
 /// A module written for running.
+///
+/// In HLSL its uniform buffers are storage buffers that are only read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Plain {
     /// The text or the words.

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 /// The road of a SPIR-V file's own words.
-const ORIGINAL: &str = "original";
+pub(super) const ORIGINAL: &str = "original";
 
 /// The interpreter's own second opinion.
 const JUDGE: &str = "judge";
@@ -38,6 +38,19 @@ pub enum ShaderRoute {
         /// The driver's name.
         driver: String,
     },
+}
+
+impl ShaderRoute {
+    /// A resource as the route's shader has it: its HLSL has no uniform buffers.
+    fn lend<'g>(&self, given: &'g Given) -> Binding<'g> {
+        let binding = given.lend();
+        match (self, binding.kind) {
+            (Self::Gpu { road: Some(Road::HlslDxc), .. }, BindingKind::Uniform) => {
+                Binding { kind: BindingKind::StorageRead, ..binding }
+            }
+            _ => binding,
+        }
+    }
 }
 
 impl std::fmt::Display for ShaderRoute {
@@ -176,7 +189,7 @@ impl Routes {
             Content::Text(text) => Shader::Wgsl(text),
             Content::Words(words) => Shader::Spirv(words),
         };
-        let bindings: Vec<Binding<'_>> = subject.given.iter().map(Given::lend).collect();
+        let bindings: Vec<Binding<'_>> = subject.given.iter().map(|given| route.lend(given)).collect();
         let gpu = self.open(driver)?;
         gpu.set_timeout(timeout);
         let job = Job {

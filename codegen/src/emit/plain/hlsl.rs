@@ -1,8 +1,10 @@
 //! HLSL for DXC on its way to SPIR-V: what naga's text leaves to a host of D3D12 is said in the text itself.
 
 use crate::ValidModule;
-use crate::emit::{EmitError, hlsl};
+use crate::emit::{EmitError, Target, hlsl};
+use crate::validate::{self, ValidateError};
 use naga::back::hlsl::{BindTarget, Options};
+use naga::{AddressSpace, StorageAccess};
 
 /// A space that no other resource is in.
 const SPACE: u8 = 254;
@@ -10,6 +12,7 @@ const SPACE: u8 = 254;
 /// The module with its indices kept inside their arrays, and the names of its entry points; it is run by so many
 /// `workgroups`.
 pub(super) fn write(module: &ValidModule, workgroups: [u32; 3]) -> Result<(String, Vec<String>), EmitError> {
+    let module = &without_uniforms(module)?;
     let target = BindTarget { space: SPACE, ..BindTarget::default() };
     let settings =
         Options { restrict_indexing: true, special_constants_binding: Some(target), ..hlsl::settings() };
@@ -20,6 +23,19 @@ pub(super) fn write(module: &ValidModule, workgroups: [u32; 3]) -> Result<(Strin
     };
     let lines = text.lines().map(|line| mend(line).unwrap_or_else(|| line.to_owned()));
     Ok((lines.fold(String::new(), |text, line| text + &line + "\n"), names))
+}
+
+/// Uniform buffers become storage buffers that are only read: naga pads the structures of constant buffers for D3D's
+/// packing, and DXC lays them out by Vulkan's.
+fn without_uniforms(module: &ValidModule) -> Result<ValidModule, EmitError> {
+    let mut module = module.module().clone();
+    for (_, variable) in module.global_variables.iter_mut() {
+        if variable.space == AddressSpace::Uniform {
+            variable.space = AddressSpace::Storage { access: StorageAccess::LOAD };
+        }
+    }
+    let refused = |e: ValidateError| EmitError::Writer { target: Target::Hlsl, message: e.to_string() };
+    validate::foreign(module).map_err(refused)
 }
 
 /// The number of workgroups where naga wants it of the host.
