@@ -1,7 +1,7 @@
 //! One entry point of a module.
 
 use super::read::validated;
-use super::{ForeignError, Source, guarded};
+use super::{ForeignError, Source, guarded, workgroup};
 use crate::ValidModule;
 use naga::back::pipeline_constants::process_overrides;
 use naga::{EntryPoint, ShaderStage};
@@ -51,12 +51,32 @@ pub fn isolate(
         let resolved = process_overrides(module.module(), module.info(), point, &constants);
         resolved.map(|(module, _)| module.into_owned()).map_err(|error| error.to_string())
     })?;
-    let resolved = resolved.map_err(|reason| ForeignError::Override {
+    let mut resolved = resolved.map_err(|reason| ForeignError::Override {
         name: source.name.clone(),
         reason,
         overrides: names(module.module()),
     })?;
+    workgroup::settle(&mut resolved);
+    check_stage(source, &resolved)?;
     validated(source, resolved)
+}
+
+/// GLSL does not say of what stage it is: what has inputs or outputs of others is no compute shader.
+fn check_stage(source: &Source, module: &naga::Module) -> Result<(), ForeignError> {
+    let is_located =
+        |binding: &Option<naga::Binding>| matches!(binding, Some(naga::Binding::Location { .. }));
+    let computing = module.entry_points.iter().filter(|p| p.stage == ShaderStage::Compute);
+    for point in computing {
+        let input = point.function.arguments.iter().any(|a| is_located(&a.binding));
+        if input || point.function.result.is_some() {
+            let what = if input { "an input at a location" } else { "an output" };
+            return Err(ForeignError::Unsupported {
+                name: source.name.clone(),
+                what: format!("`{}` has {what}, as shaders of other stages have", point.name),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// How a user may name the overrides.

@@ -5,6 +5,7 @@
 mod entry;
 mod read;
 mod spirv;
+mod workgroup;
 
 pub use entry::{Override, choose, isolate};
 pub use read::read;
@@ -82,12 +83,12 @@ pub enum ForeignError {
         /// Its message, with file, line and column where it has them.
         message: String,
     },
-    /// naga's front end would say yes, and mean something else.
+    /// naga says yes, but means something else, or something that no compute shader has.
     #[error("{name}: unsupported: {what}")]
-    Misread {
+    Unsupported {
         /// The file.
         name: String,
-        /// What it gets wrong.
+        /// What it is.
         what: String,
     },
     /// naga's validator says no.

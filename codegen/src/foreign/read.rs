@@ -36,7 +36,7 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
         }
         Language::Spirv => {
             if let Some(what) = spirv::misread(&source.bytes) {
-                return Err(ForeignError::Misread { name: source.name.clone(), what });
+                return Err(ForeignError::Unsupported { name: source.name.clone(), what });
             }
             let options = spv::Options { adjust_coordinate_space: false, ..spv::Options::default() };
             let parsed =

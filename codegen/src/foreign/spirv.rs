@@ -2,22 +2,82 @@
 
 const HEADER: usize = 5;
 const OP_MEMBER_NAME: u32 = 6;
+const OP_TYPE_INT: u32 = 21;
+const OP_TYPE_FLOAT: u32 = 22;
+const OP_TYPE_VECTOR: u32 = 23;
+const OP_TYPE_MATRIX: u32 = 24;
+const OP_TYPE_ARRAY: u32 = 28;
+const OP_TYPE_RUNTIME_ARRAY: u32 = 29;
+const OP_TYPE_STRUCT: u32 = 30;
 const OP_MEMBER_DECORATE: u32 = 72;
 const ROW_MAJOR: u32 = 4;
+const MATRIX_STRIDE: u32 = 7;
 
 /// What in `bytes` naga would misread; `None` if nothing is, or if it is no module.
 pub(super) fn misread(bytes: &[u8]) -> Option<String> {
     let (chunks, _) = bytes.as_chunks();
     let words: Vec<u32> = chunks.iter().map(|chunk| u32::from_le_bytes(*chunk)).collect();
-    let decorated = |i: &&[u32]| matches!(i, [op, _, _, ROW_MAJOR, ..] if op & 0xffff == OP_MEMBER_DECORATE);
-    let &[_, structure, member, ..] = instructions(&words).find(decorated)? else { return None };
-    let named = |i: &&[u32]| matches!(i, [op, s, m, ..] if op & 0xffff == OP_MEMBER_NAME && [*s, *m] == [structure, member]);
-    let name = instructions(&words).find(named).map(|i| text(&i[3..])).filter(|name| !name.is_empty());
+    instructions(&words).find_map(|instruction| match *instruction {
+        [op, structure, member, ROW_MAJOR] if code(op) == OP_MEMBER_DECORATE => Some(format!(
+            "{} is a matrix in row-major order, whose columns naga does not find; declare it in column-major order",
+            described(&words, structure, member)
+        )),
+        [op, structure, member, MATRIX_STRIDE, stride] if code(op) == OP_MEMBER_DECORATE => {
+            let natural = natural_stride(&words, structure, member)?;
+            (natural != stride).then(|| {
+                format!(
+                    "{} has matrices whose columns begin every {stride} bytes; naga takes it to be {natural}",
+                    described(&words, structure, member)
+                )
+            })
+        }
+        _ => None,
+    })
+}
+
+/// From column to column of a member's matrices, as naga has it.
+fn natural_stride(words: &[u32], structure: u32, member: u32) -> Option<u32> {
+    let mut ty = *declared(words, structure)?.get(member as usize + 2)?;
+    loop {
+        match *declared(words, ty)? {
+            [op, _, part, ..]
+                if [OP_TYPE_ARRAY, OP_TYPE_RUNTIME_ARRAY, OP_TYPE_MATRIX].contains(&code(op)) =>
+            {
+                ty = part;
+            }
+            [op, _, scalar, count] if code(op) == OP_TYPE_VECTOR => {
+                let &[_, _, width, ..] = declared(words, scalar)? else { return None };
+                return Some(width / 8 * if count == 2 { 2 } else { 4 });
+            }
+            _ => return None,
+        }
+    }
+}
+
+/// The instruction that declares a type.
+fn declared(words: &[u32], ty: u32) -> Option<&[u32]> {
+    const TYPES: [u32; 7] = [
+        OP_TYPE_INT,
+        OP_TYPE_FLOAT,
+        OP_TYPE_VECTOR,
+        OP_TYPE_MATRIX,
+        OP_TYPE_ARRAY,
+        OP_TYPE_RUNTIME_ARRAY,
+        OP_TYPE_STRUCT,
+    ];
+    instructions(words).find(|i| matches!(i, [op, id, ..] if TYPES.contains(&code(*op)) && *id == ty))
+}
+
+/// A member of a structure, by its number and its name.
+fn described(words: &[u32], structure: u32, member: u32) -> String {
+    let is_its = |i: &&[u32]| matches!(i, [op, s, m, ..] if code(*op) == OP_MEMBER_NAME && [*s, *m] == [structure, member]);
+    let name = instructions(words).find(is_its).map(|i| text(&i[3..])).filter(|name| !name.is_empty());
     let name = name.map_or_else(String::new, |name| format!(" `{name}`"));
-    Some(format!(
-        "member {member}{name} of structure %{structure} is a matrix in row-major order, whose columns naga does not find; \
-         declare it in column-major order"
-    ))
+    format!("member {member}{name} of structure %{structure}")
+}
+
+fn code(op: u32) -> u32 {
+    op & 0xffff
 }
 
 /// The instructions of a module, each with all its words.
@@ -41,7 +101,17 @@ fn text(words: &[u32]) -> String {
 mod tests {
     use super::*;
 
-    fn module(instructions: &[&[u32]]) -> Vec<u8> {
+    /// A module of a structure %4 whose member 0, `m`, is an array of 2x2 matrices, decorated like this.
+    fn module(decoration: &[u32]) -> Vec<u8> {
+        let instructions = [
+            &[OP_MEMBER_NAME, 4, 0, u32::from_le_bytes(*b"m\0\0\0")],
+            &[&[OP_MEMBER_DECORATE, 4, 0], decoration].concat()[..],
+            &[OP_TYPE_FLOAT, 1, 32],
+            &[OP_TYPE_VECTOR, 2, 1, 2],
+            &[OP_TYPE_MATRIX, 3, 2, 2],
+            &[OP_TYPE_ARRAY, 5, 3, 9],
+            &[OP_TYPE_STRUCT, 4, 5],
+        ];
         let mut words = vec![0x0723_0203, 0x0001_0300, 0, 9, 0];
         for instruction in instructions {
             words.push((instruction.len() as u32) << 16 | instruction[0]);
@@ -51,14 +121,21 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_in_row_major_order_is_named() {
+    fn matrices_that_naga_misreads_are_named() {
         const COL_MAJOR: u32 = 5;
-        let name: &[u32] = &[OP_MEMBER_NAME, 7, 2, u32::from_le_bytes(*b"m\0\0\0")];
-        let decorated = |how| [OP_MEMBER_DECORATE, 7, 2, how];
-        assert_eq!(misread(&module(&[name, &decorated(COL_MAJOR)])), None);
-        let found = misread(&module(&[name, &decorated(ROW_MAJOR)])).unwrap();
-        assert!(found.starts_with("member 2 `m` of structure %7 is a matrix in row-major"), "{found}");
-        assert!(misread(&module(&[&decorated(ROW_MAJOR)])).is_some());
+        for (decoration, expected) in [
+            (&[COL_MAJOR][..], None),
+            (&[MATRIX_STRIDE, 8], None),
+            (&[ROW_MAJOR], Some("member 0 `m` of structure %4 is a matrix in row-major")),
+            (&[MATRIX_STRIDE, 16], Some("begin every 16 bytes; naga takes it to be 8")),
+        ] {
+            let found = misread(&module(decoration));
+            let is_right = match expected {
+                Some(part) => found.as_ref().is_some_and(|found| found.contains(part)),
+                None => found.is_none(),
+            };
+            assert!(is_right, "{found:?}");
+        }
     }
 
     #[test]

@@ -92,7 +92,7 @@ impl From<ForeignError> for Stop {
                 Status::Invalid
             }
             ForeignError::Panicked { .. } => Status::Crashed,
-            ForeignError::NoEntry { .. } | ForeignError::Misread { .. } => Status::Refused,
+            ForeignError::NoEntry { .. } | ForeignError::Unsupported { .. } => Status::Refused,
             ForeignError::SeveralEntries { .. }
             | ForeignError::UnknownEntry { .. }
             | ForeignError::Override { .. } => Status::Error,
