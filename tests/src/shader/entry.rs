@@ -212,15 +212,22 @@ impl<'t, 's> Trial<'t, 's> {
         if !is_wanted && !differs {
             return Ok(());
         }
+        // What WGSL defines to be zero, and naga makes so, SPIR-V leaves open.
+        let is_open = differs && self.report.only_original_differs();
         let begun = self.steps.begin(Some(subject.entry), "sanitize");
-        let found = begun.map_err(Stop::from).and_then(|()| Ok(machine.mistakes(subject.source.text())?));
+        let found =
+            begun.map_err(Stop::from).and_then(|()| Ok(machine.mistakes(subject.source.text(), is_open)?));
         match found {
             Ok(found) => self.report.findings = found,
             // Nobody asked, and the difference stands for itself.
             Err(_) if !is_wanted => {}
             Err(stop) => return Err(stop),
         }
-        let explains = |kind: &str| ["OutOfBounds", "Race", "NonUniformBarrier"].contains(&kind);
+        let explains = |kind: &str| match kind {
+            "OutOfBounds" | "Race" | "NonUniformBarrier" => true,
+            "Unwritten" => is_open,
+            _ => false,
+        };
         let is_program = self.report.findings.iter().any(|f| explains(&f.kind));
         if differs && is_program {
             self.report.status = Status::Findings;

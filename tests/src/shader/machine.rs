@@ -80,13 +80,14 @@ impl Machine<'_> {
             .map(Bounds)
     }
 
-    /// Mistakes of the program; their places are those of `text`.
+    /// Mistakes of the program, and on request its uses of variables that nothing was written to; their places are those
+    /// of `text`.
     ///
     /// # Errors
     /// When the interpreter gives up or panics.
-    pub fn mistakes(&self, text: Option<&str>) -> Result<Vec<Mistake>, MachineError> {
+    pub fn mistakes(&self, text: Option<&str>, unwritten: bool) -> Result<Vec<Mistake>, MachineError> {
         let mut owned = Owned::of(self.given)?;
-        let checks = Checks::default();
+        let checks = Checks { unwritten, ..Checks::default() };
         let found = self
             .guarded(None, |machine| machine.sanitize(self.entry, self.workgroups, owned.lend(), checks))?;
         let mistake = |finding: lobe_backends::interp::Finding| {

@@ -1,6 +1,7 @@
 //! What came of a run.
 
 use super::compare::{Compared, Standing};
+use super::routes::ORIGINAL;
 use crate::expectation::Expectation;
 
 /// How a run ended, the worst of its routes; better before worse.
@@ -220,6 +221,13 @@ impl Report {
             findings: Vec::new(),
             routes: Vec::new(),
         }
+    }
+
+    /// Whether what differs is what drivers made of the file's own SPIR-V, and nothing else.
+    #[must_use]
+    pub fn only_original_differs(&self) -> bool {
+        let mut differing = self.routes.iter().filter(|r| r.status == RouteStatus::Beyond);
+        differing.all(|r| r.route.starts_with(ORIGINAL))
     }
 
     /// Adds a route, and takes its status if that is worse.
