@@ -13,6 +13,7 @@
 //!
 //! The output is a function of the module and the options: no dates, no paths, no hash order.
 
+mod calls;
 mod clash;
 mod docs;
 pub mod entry;
@@ -28,6 +29,7 @@ mod spirv;
 mod tidy;
 mod wgsl;
 
+pub use calls::check_calls;
 pub use clash::ClashError;
 pub use entry::{EntryLayout, with_entries, with_entry};
 pub use plain::{Plain, plain};

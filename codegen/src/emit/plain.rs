@@ -5,7 +5,7 @@
 
 mod hlsl;
 
-use super::{Content, EmitError, Target, guarded, layouts, spirv};
+use super::{Content, EmitError, Target, check_calls, guarded, layouts, spirv};
 use crate::ValidModule;
 use naga::ShaderStage;
 use naga::back::wgsl::{WriterFlags, write_string};
@@ -38,6 +38,7 @@ pub fn plain(
     let index = module.module().entry_points.iter().position(is_meant).ok_or(EmitError::NoEntry)?;
     match target {
         Target::Spirv => {
+            check_calls(module.module())?;
             let words = spirv::plain(module, entry)?;
             Ok(Plain { content: Content::Words(words), entry: entry.to_owned() })
         }
@@ -46,6 +47,8 @@ pub fn plain(
             Ok(Plain { content: Content::Text(text), entry: names.swap_remove(index) })
         }
         Target::Wgsl => {
+            // Of WGSL, wgpu makes SPIR-V.
+            check_calls(module.module())?;
             let mut renamed = module.module().clone();
             renamed.entry_points[index].name = ENTRY.to_owned();
             let write = || write_string(&renamed, module.info(), WriterFlags::empty());

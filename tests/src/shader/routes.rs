@@ -9,7 +9,7 @@ use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
 use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
 use lobe_codegen::ValidModule;
-use lobe_codegen::emit::{Content, EmitError, Plain, Target, plain};
+use lobe_codegen::emit::{Content, EmitError, Plain, Target, check_calls, plain};
 use lobe_codegen::foreign::{Language, Source};
 use lobe_codegen::validate;
 use std::collections::HashMap;
@@ -257,6 +257,7 @@ impl Routes {
             Some(Road::Spirv) => write(Target::Spirv),
             Some(Road::WgslNaga) => match subject.source.wgsl().filter(|_| subject.is_as_written) {
                 Some(text) => {
+                    check_calls(subject.module.module()).map_err(|e| Failure::of_emit(&e))?;
                     Ok(Plain { content: Content::Text(text.into_owned()), entry: subject.entry.to_owned() })
                 }
                 None => write(Target::Wgsl),
