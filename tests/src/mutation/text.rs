@@ -60,7 +60,11 @@ fn literals(text: &str) -> Vec<(usize, usize)> {
         let mut at = from;
         while at < to {
             let start = at;
-            while at < to && is_word(bytes[at]) {
+            // The sign of an exponent is part of its number.
+            let is_signed = |at: usize| {
+                matches!(bytes[at], b'+' | b'-') && bytes[at - 1] == b'e' && bytes[start].is_ascii_digit()
+            };
+            while at < to && (is_word(bytes[at]) || (at > start && is_signed(at))) {
                 at += 1;
             }
             let word = &text[start..at];
