@@ -2,6 +2,7 @@
 //!
 //! Nothing here trusts its input: what naga refuses, and what makes it panic, is an error that names the file.
 
+mod barrier;
 mod entry;
 mod read;
 mod spirv;

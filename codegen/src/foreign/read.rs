@@ -1,6 +1,6 @@
 //! Bytes to modules.
 
-use super::{ForeignError, Language, Source, guarded, spirv};
+use super::{ForeignError, Language, Source, barrier, guarded, spirv};
 use crate::ValidModule;
 use crate::directives;
 use crate::validate::{self, ValidateError};
@@ -32,7 +32,10 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
             let options = glsl::Options::from(ShaderStage::Compute);
             let parsed =
                 guarded(source, "GLSL front end", || glsl::Frontend::default().parse(&options, text))?;
-            parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))
+            let mut module =
+                parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))?;
+            barrier::settle(&mut module);
+            Ok(module)
         }
         Language::Spirv => {
             if let Some(what) = spirv::misread(&source.bytes) {
