@@ -40,6 +40,11 @@ fn an_index_beyond_the_end_is_found() {
     check(kind, 9, "let at = i + 2u;\nlet x = w[at];\nb[g] = 1u;", "let at = i;\nb[g] = 1u;");
     let text = |at: &str| format!("var t = array<u32, 4>(1u, 2u, 3u, 4u);\nb[g] = t[{at}];");
     check(kind, 9, &text("i32(i) - 1"), &text("i32(i)"));
+    // Of a value, which is chosen by comparing, and where the index is known after all.
+    let text = |at: &str| format!("let v = vec4u(i) + 1u;\nb[g] = v[{at}];");
+    check(kind, 9, &text("i + 1u"), &text("i"));
+    let text = |at: &str| format!("var n = {at};\nn += 1u;\nb[n] = g;");
+    check(kind, 10, &format!("if g == 0u {{ {} }}", text("7u")), &format!("if g == 0u {{ {} }}", text("6u")));
 }
 
 #[test]

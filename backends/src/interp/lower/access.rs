@@ -44,12 +44,11 @@ impl<'m> Lowerer<'m> {
         index: Handle<Expression>,
     ) -> Res<Item> {
         let index = frame.single(index)?;
-        if let Some(known) = self.b.known(index) {
-            let runtime = matches!(&frame.values[base.index()], Some(Item::Pointer(p))
-                if self.types().parts(p.shape, self.packing(p.root))?.count.is_none());
-            if !runtime {
-                return self.access_index(frame, base, known.min(u32::MAX.into()) as u32);
-            }
+        if let Some(known) = self.b.known(index)
+            && let Some(count) = self.parts_of(frame, base)?
+        {
+            self.index_of_parts(index, count, known < u64::from(count));
+            return self.access_index(frame, base, known.min(u32::MAX.into()) as u32);
         }
         if let Some(Item::Pointer(pointer)) = &frame.values[base.index()] {
             return self.access_memory(pointer, index).map(Item::Pointer);
@@ -57,6 +56,22 @@ impl<'m> Lowerer<'m> {
         let values = frame.data(base)?;
         let part = self.types().parts(self.shape(frame, base)?, Packing::Packed(1))?.stride as usize;
         Ok(Item::values(self.pick(&values, part, index)?))
+    }
+
+    /// How many parts a value or a place in memory has; `None` if that is known only when it runs.
+    fn parts_of(&self, frame: &Frame<'m>, base: Handle<Expression>) -> Res<Option<u32>> {
+        let parts = match &frame.values[base.index()] {
+            Some(Item::Pointer(p)) => self.types().parts(p.shape, self.packing(p.root))?,
+            _ => self.types().parts(self.shape(frame, base)?, Packing::Packed(1))?,
+        };
+        Ok(parts.count)
+    }
+
+    /// States an index that no place in memory is computed from: whoever looks for mistakes sees it, nobody else does.
+    fn index_of_parts(&mut self, index: Value, count: u32, is_inside: bool) {
+        if !is_inside {
+            self.b.index(None, index, Count::Fixed(count), 1);
+        }
     }
 
     fn access_memory(&mut self, pointer: &Pointer, index: Value) -> Res<Pointer> {
@@ -78,6 +93,7 @@ impl<'m> Lowerer<'m> {
         if count > COMPARED {
             return self.pick_from_memory(values, part, index);
         }
+        self.index_of_parts(index, count as u32, false);
         let scalar = self.b.scalar(index);
         let mut chosen = values[values.len() - part..].to_vec();
         for (at, candidate) in values.chunks(part).enumerate().take(count - 1).rev() {
