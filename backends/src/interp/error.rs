@@ -1,5 +1,8 @@
 //! What can go wrong while a module is interpreted.
 
+use naga::Span;
+use std::ops::Range;
+
 /// Why a call or a dispatch has no result.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum InterpError {
@@ -10,6 +13,8 @@ pub enum InterpError {
         what: String,
         /// The function that contains it.
         function: String,
+        /// Its bytes in the source, if it was made from text.
+        at: Option<Range<usize>>,
     },
     /// The arguments do not fit the function's parameters.
     #[error("`{function}` takes {expected} scalars a row, but {found} were given")]
@@ -112,6 +117,35 @@ pub enum InterpError {
     /// The module breaks a rule that validation should have caught.
     #[error("malformed module: {0}")]
     Malformed(&'static str),
+}
+
+impl InterpError {
+    /// Line and column, counted from 1, of what is not executed.
+    #[must_use]
+    pub fn line(&self, source: &str) -> Option<(u32, u32)> {
+        match self {
+            Self::Unsupported { at: Some(at), .. } => line(at, source),
+            _ => None,
+        }
+    }
+
+    /// The same at `place`, if it has none yet.
+    pub(super) fn placed(self, place: Span) -> Self {
+        match self {
+            Self::Unsupported { what, function, at: None } => {
+                Self::Unsupported { what, function, at: place.to_range() }
+            }
+            other => other,
+        }
+    }
+}
+
+/// Line and column of bytes of a text, counted from 1.
+pub(super) fn line(range: &Range<usize>, source: &str) -> Option<(u32, u32)> {
+    let before = source.get(..range.start).filter(|_| range.end <= source.len())?;
+    let line = before.matches('\n').count() as u32 + 1;
+    let column = before.rsplit('\n').next().unwrap_or("").chars().count() as u32 + 1;
+    Some((line, column))
 }
 
 /// Result of the interpreter's parts.

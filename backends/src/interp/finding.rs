@@ -1,5 +1,6 @@
 //! What sanitizing finds in the program that runs.
 
+use super::error::line;
 use naga::Span;
 
 /// A mistake of a program, where it showed.
@@ -66,10 +67,6 @@ impl Default for Checks {
 impl Finding {
     /// Its line and column in the source text, counted from 1.
     pub fn line(&self, source: &str) -> Option<(u32, u32)> {
-        let range = self.span.to_range().filter(|range| range.end <= source.len())?;
-        let before = source.get(..range.start)?;
-        let line = before.matches('\n').count() as u32 + 1;
-        let column = before.rsplit('\n').next().unwrap_or("").chars().count() as u32 + 1;
-        Some((line, column))
+        line(&self.span.to_range()?, source)
     }
 }

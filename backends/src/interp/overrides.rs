@@ -22,7 +22,7 @@ impl Interpreter<'_> {
         let point = module.entry_points.get(entry).ok_or(InterpError::NoEntryPoint(entry))?;
         if point.stage != naga::ShaderStage::Compute {
             let what = format!("entry points of stage {:?}", point.stage);
-            return Err(InterpError::Unsupported { what, function: point.name.clone() });
+            return Err(InterpError::Unsupported { what, function: point.name.clone(), at: None });
         }
         if module.overrides.is_empty() && self.overrides.is_empty() {
             return Ok((Cow::Borrowed(self.module), entry));

@@ -80,13 +80,13 @@ fn a_shader_runs_on_its_data_and_leaves_its_results() {
 
 #[test]
 fn directives_that_naga_does_not_know_are_no_hindrance_and_move_nothing() {
-    let main = "{ out[0] = subgroupAdd(1u); } }";
+    let main = "out[0] = subgroupAdd(1u); }";
     let good = format!("// A module.\nenable f16, subgroups;\nrequires subgroup_id;\n{OUT}{MAIN} {main}");
     let bad = good.replace("1u", "x");
     let folder = folder(&[("good.wgsl", good.as_bytes()), ("bad.wgsl", bad.as_bytes())]);
     assert_holds(&lobe(&["run", &at(&folder, "good.wgsl"), "--route", "interp"]));
     let said = lobe(&["run", &at(&folder, "bad.wgsl"), "--route", "interp"]);
-    let column = MAIN.len() + " { out[0] = subgroupAdd(".len() + 1;
+    let column = MAIN.len() + " out[0] = subgroupAdd(".len() + 1;
     assert!(text(&said.stdout).contains(&format!("bad.wgsl:5:{column}")), "{}", text(&said.stdout));
 }
 
@@ -193,6 +193,46 @@ fn hostile_files_end_in_a_word_about_them() {
         ),
     ] {
         assert_ends(name, &bytes, status, part);
+    }
+}
+
+#[test]
+fn what_would_take_too_long_is_refused_at_once_and_at_its_place() {
+    let doubled = |first: &str, level: &dyn Fn(u32) -> String, levels: u32| {
+        (1..levels).fold(first.to_owned(), |text, n| text + &level(n))
+    };
+    let calls = doubled("fn f0() {}", &|n| format!("fn f{n}() {{ f{m}(); f{m}(); }}", m = n - 1), 63);
+    let wide = doubled(
+        "struct S0 { a: u32, b: u32 }",
+        &|n| format!("struct S{n} {{ a: S{m}, b: S{m} }}", m = n - 1),
+        25,
+    );
+    let first = ".a".repeat(25);
+    let glsl = format!(
+        "#version 450\nlayout(local_size_x = 1) in;\nvoid main() {{ {} {} }}",
+        "{".repeat(20_000),
+        "}".repeat(20_000)
+    );
+    let external = "@group(0) @binding(0) var image: texture_external;
+        @compute @workgroup_size(1) fn main() {
+            let size = textureDimensions(image);
+        }";
+    for (name, text, part) in [
+        ("calls.wgsl", format!("{calls} {MAIN} f62(); }}"), "calls that inline to more than"),
+        ("wide.wgsl", format!("{wide} {OUT}{MAIN} var s: S24; out[0] = s{first}; }}"), "scalars"),
+        (
+            "members.wgsl",
+            format!("{wide} @group(0) @binding(0) var<storage> s: S24; {MAIN} let x = s{first}; }}"),
+            "more than 65536 members",
+        ),
+        ("blocks.glsl", glsl, "blocks nested deeper than 512 (in `main`)"),
+        (
+            "external.wgsl",
+            external.to_owned(),
+            "external.wgsl:3:24: the interpreter does not execute external",
+        ),
+    ] {
+        assert_ends(name, text.as_bytes(), "refused", part);
     }
 }
 

@@ -5,7 +5,7 @@ use super::feed::{self, Feed, Said};
 use super::given::{Given, Owned};
 use super::job::{GivenUp, Job};
 use super::json;
-use super::machine::{self, Bounds, Machine};
+use super::machine::{self, Bounds, Machine, MachineError};
 use super::number;
 use super::report::{Input, Report, RouteReport, RouteStatus, Status};
 use super::resource::{self, Resource};
@@ -79,7 +79,7 @@ impl<'t, 's> Trial<'t, 's> {
         let given = self.fill(&resources)?;
         let (workgroups, fuel) = (job.workgroups, job.fuel);
         let machine = Machine { module: &isolated, entry: index, workgroups, fuel, given: &given };
-        let ours = machine.run(None)?;
+        let ours = machine.run(None).map_err(|error| located(error, source))?;
         write(job, &given, &ours)?;
         let subject = Subject {
             source,
@@ -269,6 +269,21 @@ fn same_bits(given: &[Given], reference: &Reference, found: &[Vec<u8>]) -> Vec<C
     written
         .map(|(given, theirs)| compare(given, reference.ours.bytes(given), theirs, |_, _| Permit::Bits))
         .collect()
+}
+
+/// Why the interpreter has no answer, after the place in the file that is to blame, if it is known.
+fn located(error: MachineError, source: &Source) -> Stop {
+    let line = match &error {
+        MachineError::Interp(error) => source.text().and_then(|text| error.line(text)),
+        _ => None,
+    };
+    let Stop { status, message } = Stop::from(error);
+    match line {
+        Some((line, column)) => {
+            Stop { status, message: format!("{}:{line}:{column}: {message}", source.name) }
+        }
+        None => Stop { status, message },
+    }
 }
 
 /// Every name of a resource in the job.

@@ -1,6 +1,6 @@
 //! What an entry point is given: its buffers, textures and samplers.
 
-use super::shape::Shape;
+use super::shape::{MEMBERS, Shape};
 use lobe_backends::gpu::BindingKind;
 use lobe_codegen::ValidModule;
 use naga::{AddressSpace, GlobalVariable, ImageClass, ImageDimension, Module, StorageAccess, TypeInner};
@@ -103,8 +103,12 @@ fn resource(module: &Module, variable: &GlobalVariable) -> Result<Option<Resourc
         }
         TypeInner::Sampler { comparison } => What::Sampler { is_comparison: comparison },
         ref inner => {
-            let shape = Shape::of(module, variable.ty)
-                .ok_or_else(|| format!("{}, whose type has no layout", describe(module, variable)))?;
+            let shape = Shape::of(module, variable.ty).ok_or_else(|| {
+                format!(
+                    "{}, whose type has no layout, or more than {MEMBERS} members",
+                    describe(module, variable)
+                )
+            })?;
             let least = inner.try_size(module.to_ctx()).unwrap_or(0) as usize;
             What::Buffer { kind, shape, least: least.next_multiple_of(4).max(4) }
         }

@@ -38,12 +38,20 @@ pub struct Member {
     pub shape: Shape,
 }
 
+/// Most members of a structure, those of its members included.
+pub const MEMBERS: u32 = 1 << 16;
+
 const COMPONENTS: [&str; 4] = ["x", "y", "z", "w"];
 
 impl Shape {
-    /// The shape of `ty`; `None` if values of it do not lie in memory that the host shares.
+    /// The shape of `ty`; `None` if values of it do not lie in memory that the host shares, or if it has more than
+    /// [`MEMBERS`] members in all.
     #[must_use]
     pub fn of(module: &Module, ty: Handle<Type>) -> Option<Self> {
+        Self::within(module, ty, &mut { MEMBERS })
+    }
+
+    fn within(module: &Module, ty: Handle<Type>, left: &mut u32) -> Option<Self> {
         let vector = |size: VectorSize, scalar: Scalar| Self::List {
             part: Box::new(Self::Scalar { scalar, is_atomic: false }),
             count: Some(size as u32),
@@ -67,12 +75,18 @@ impl Shape {
                     ArraySize::Dynamic => None,
                     ArraySize::Pending(_) => return None,
                 };
-                Some(Self::List { part: Box::new(Self::of(module, base)?), count, stride, is_vector: false })
+                Some(Self::List {
+                    part: Box::new(Self::within(module, base, left)?),
+                    count,
+                    stride,
+                    is_vector: false,
+                })
             }
             TypeInner::Struct { ref members, .. } => {
                 let member = |(index, m): (usize, &naga::StructMember)| {
                     let name = m.name.clone().unwrap_or_else(|| index.to_string());
-                    Some(Member { name, offset: m.offset, shape: Self::of(module, m.ty)? })
+                    *left = left.checked_sub(1)?;
+                    Some(Member { name, offset: m.offset, shape: Self::within(module, m.ty, left)? })
                 };
                 members.iter().enumerate().map(member).collect::<Option<_>>().map(Self::Struct)
             }

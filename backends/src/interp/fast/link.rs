@@ -180,7 +180,7 @@ impl<const N: usize> Linker<'_, N> {
     /// What is not linked yet.
     fn refuse(&self, what: String) -> InterpError {
         let function = self.program.functions.first().cloned().unwrap_or_default();
-        InterpError::Unsupported { what, function }
+        InterpError::Unsupported { what, function, at: None }
     }
 }
 

@@ -184,6 +184,6 @@ impl<'c, M: Model> Machine<'c, M> {
     }
 
     fn refuse(&self, what: String) -> InterpError {
-        InterpError::Unsupported { what, function: self.function(0) }
+        InterpError::Unsupported { what, function: self.function(0), at: None }
     }
 }

@@ -98,7 +98,8 @@ impl<'m> Lowerer<'m> {
     /// A global expression.
     pub(crate) fn global(&mut self, handle: Handle<Expression>) -> Res<Vec<Value>> {
         let module = self.module.module();
-        let refuse = |what: String| InterpError::Unsupported { what, function: "constants".to_owned() };
+        let refuse =
+            |what: String| InterpError::Unsupported { what, function: "constants".to_owned(), at: None };
         match &module.global_expressions[handle] {
             Expression::Literal(literal) => {
                 Ok(vec![self.literal(Scope::Global, handle, *literal).map_err(refuse)?])

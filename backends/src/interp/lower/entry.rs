@@ -83,7 +83,7 @@ impl<'m> Lowerer<'m> {
             Input::WorkGroupSize
         } else {
             let what = format!("the input {binding:?}");
-            return Err(InterpError::Unsupported { what, function: entry.to_owned() });
+            return Err(InterpError::Unsupported { what, function: entry.to_owned(), at: None });
         };
         Ok((0..3).map(|axis| self.input(vector(axis), Scalar::U32)).collect())
     }
@@ -109,7 +109,7 @@ impl<'m> Lowerer<'m> {
             }
             AddressSpace::Immediate => {
                 let (what, name) = ("immediates".to_owned(), variable.name.clone());
-                return Err(InterpError::Unsupported { what, function: name.unwrap_or_default() });
+                return Err(InterpError::Unsupported { what, function: name.unwrap_or_default(), at: None });
             }
             AddressSpace::Function
             | AddressSpace::Private

@@ -132,7 +132,7 @@ impl<'m> Frame<'m> {
     }
 
     pub(crate) fn unsupported(&self, what: impl Into<String>) -> InterpError {
-        InterpError::Unsupported { what: what.into(), function: self.display_name() }
+        InterpError::Unsupported { what: what.into(), function: self.display_name(), at: None }
     }
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn scalar(scalar: naga::Scalar) -> Res<Scalar> {
 }
 
 fn unsupported(what: &str) -> InterpError {
-    InterpError::Unsupported { what: what.to_owned(), function: "types".to_owned() }
+    InterpError::Unsupported { what: what.to_owned(), function: "types".to_owned(), at: None }
 }
 
 fn refuse(inner: &TypeInner) -> InterpError {

@@ -29,6 +29,7 @@ mod frame;
 mod geometry;
 mod integer;
 mod layout;
+mod limits;
 mod mark;
 mod math;
 mod matrix;
@@ -48,6 +49,7 @@ use super::program::{Program, Scalar, Value};
 use build::Builder;
 use frame::{Item, Pointer};
 use lobe_codegen::ValidModule;
+use lobe_codegen::module::Scope;
 use naga::{Function, Handle};
 use scan::Scan;
 
@@ -71,7 +73,7 @@ pub(crate) struct Lowerer<'m> {
     /// Where lanes can leave to, innermost last.
     exits: Vec<control::Exit>,
     /// What is being lowered.
-    root: Option<lobe_codegen::module::Scope>,
+    root: Option<Scope>,
     reader: Reader,
     /// Where the source has statements.
     spans: mark::Spans,
@@ -90,23 +92,36 @@ pub(crate) enum Reader {
 
 /// Lowers function `f`; its parameters' scalars are the input columns.
 pub(crate) fn function(module: &ValidModule, f: Handle<Function>, reader: Reader) -> Res<Program> {
-    let mut lowerer = Lowerer::new(module, reader)?;
-    lowerer.root = Some(lobe_codegen::module::Scope::Function(f));
-    let arguments = lowerer.columns(&module.module().functions[f])?;
-    let results = lowerer.invoke(lobe_codegen::module::Scope::Function(f), arguments)?;
-    Ok(lowerer.b.finish(results))
+    Lowerer::walk(module, Scope::Function(f), reader)
 }
 
 /// Lowers compute entry point `index`.
 pub(crate) fn entry(module: &ValidModule, index: usize, reader: Reader) -> Res<Program> {
-    let mut lowerer = Lowerer::new(module, reader)?;
-    lowerer.root = Some(lobe_codegen::module::Scope::Entry(index));
-    let arguments = lowerer.builtins(index)?;
-    lowerer.invoke(lobe_codegen::module::Scope::Entry(index), arguments)?;
-    Ok(lowerer.b.finish(Vec::new()))
+    Lowerer::walk(module, Scope::Entry(index), reader)
 }
 
 impl<'m> Lowerer<'m> {
+    /// The program of a function or an entry point; what is refused is refused at its place.
+    fn walk(module: &'m ValidModule, root: Scope, reader: Reader) -> Res<Program> {
+        limits::check(module.module(), root)?;
+        let mut lowerer = Self::new(module, reader)?;
+        lowerer.root = Some(root);
+        match lowerer.root_results(root) {
+            Ok(results) => Ok(lowerer.b.finish(results)),
+            Err(error) => Err(error.placed(lowerer.b.at)),
+        }
+    }
+
+    fn root_results(&mut self, root: Scope) -> Res<Vec<Value>> {
+        let arguments = match root {
+            Scope::Function(f) => self.columns(&self.module.module().functions[f])?,
+            Scope::Entry(index) => self.builtins(index)?,
+            Scope::Global => return Err(malformed("global expressions are no function")),
+        };
+        let results = self.invoke(root, arguments)?;
+        Ok(if matches!(root, Scope::Function(_)) { results } else { Vec::new() })
+    }
+
     fn new(module: &'m ValidModule, reader: Reader) -> Res<Self> {
         let count = module.module().global_variables.len();
         let mut lowerer = Self {
