@@ -10,6 +10,10 @@ const OP_TYPE_ARRAY: u32 = 28;
 const OP_TYPE_RUNTIME_ARRAY: u32 = 29;
 const OP_TYPE_STRUCT: u32 = 30;
 const OP_MEMBER_DECORATE: u32 = 72;
+/// OpAtomicSMin, OpAtomicSMax.
+const SIGNED: [u32; 2] = [236, 238];
+/// OpAtomicUMin, OpAtomicUMax.
+const UNSIGNED: [u32; 2] = [237, 239];
 const ROW_MAJOR: u32 = 4;
 const MATRIX_STRIDE: u32 = 7;
 
@@ -29,6 +33,14 @@ pub(super) fn misread(bytes: &[u8]) -> Option<String> {
                     "{} has matrices whose columns begin every {stride} bytes; naga takes it to be {natural}",
                     described(&words, structure, member)
                 )
+            })
+        }
+        [op, ty, ..] if SIGNED.contains(&code(op)) || UNSIGNED.contains(&code(op)) => {
+            let &[_, _, _, is_signed] = declared(&words, ty)? else { return None };
+            let wanted = u32::from(SIGNED.contains(&code(op)));
+            (is_signed != wanted).then(|| {
+                "an atomic minimum or maximum takes numbers for signed that are not, or the reverse; naga goes by their type"
+                    .to_owned()
             })
         }
         _ => None,
@@ -135,6 +147,22 @@ mod tests {
                 None => found.is_none(),
             };
             assert!(is_right, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn an_atomic_of_the_other_sign_is_refused() {
+        let module = |op: u32, is_signed: u32| {
+            let words = [
+                [0x0723_0203, 0x0001_0300, 0, 9, 0].as_slice(),
+                &[4 << 16 | OP_TYPE_INT, 1, 32, is_signed],
+                &[7 << 16 | op, 1, 5, 6, 7, 8, 9],
+            ];
+            words.concat().iter().flat_map(|w: &u32| w.to_le_bytes()).collect::<Vec<u8>>()
+        };
+        for (op, is_signed) in [(SIGNED[0], 1), (SIGNED[1], 1), (UNSIGNED[0], 0), (UNSIGNED[1], 0)] {
+            assert_eq!(misread(&module(op, is_signed)), None);
+            assert!(misread(&module(op, 1 - is_signed)).is_some_and(|what| what.contains("signed")));
         }
     }
 
