@@ -25,6 +25,8 @@ pub enum Fault {
     Unwritten,
     /// Two invocations touch the same word, one of them writes, and no barrier lies between.
     Race,
+    /// A value is gathered from an invocation of the subgroup that is not active, or not there; WGSL leaves it open.
+    AbsentLane,
     /// A part of a workgroup reaches a barrier.
     NonUniformBarrier,
     /// An integer is divided by zero, or the quotient overflows.

@@ -27,15 +27,17 @@ pub(crate) fn exchange(op: SubgroupOp, scalar: Scalar, lanes: &[Option<Brought>]
             vec![words.map(bit).sum(); lanes.len()]
         }
         SubgroupOp::Gather(gather) => {
-            let source = |(at, lane): (usize, &Option<Brought>)| {
-                let from = source(gather, at as u64, lane.map_or(0, |l| l.index), lanes);
-                let from = from.and_then(|from| usize::try_from(from).ok());
-                from.and_then(|from| lanes.get(from).copied().flatten()).map_or(0, |l| l.value)
-            };
-            lanes.iter().enumerate().map(source).collect()
+            (0..lanes.len()).map(|at| partner(gather, at, lanes).map_or(0, |l| l.value)).collect()
         }
         SubgroupOp::Collect(op, how) => collect(op, how, scalar, lanes),
     }
+}
+
+/// What lane `at` gathers, if there is an active lane to gather from.
+pub(crate) fn partner(gather: Gather, at: usize, lanes: &[Option<Brought>]) -> Option<Brought> {
+    let index = lanes[at].map_or(0, |lane| lane.index);
+    let from = source(gather, at as u64, index, lanes).and_then(|from| usize::try_from(from).ok())?;
+    lanes.get(from).copied().flatten()
 }
 
 /// The lane that lane `at` gathers from.

@@ -128,6 +128,32 @@ fn subgroups_are_consecutive_invocations_of_the_size_that_is_asked_for() {
 }
 
 #[test]
+fn a_value_of_a_lane_that_is_not_there_is_a_finding() {
+    let findings = |value: &str| {
+        let module = module(&format!(
+            "@group(0) @binding(0) var<storage, read_write> out: array<u32, 8>;
+            @compute @workgroup_size(8)
+            fn main(@builtin(local_invocation_index) i: u32) {{ if i < 6u {{ out[i] = {value}; }} }}"
+        ));
+        let interpreter = Interpreter::new(&module).unwrap().with_subgroup_size(4);
+        let mut buffers = [Buffer { group: 0, binding: 0, data: vec![0; 32] }];
+        let found = interpreter.sanitize(0, [1; 3], &mut buffers, Checks::default()).unwrap();
+        found.into_iter().map(|f| f.kind).collect::<Vec<_>>()
+    };
+    for there in [
+        "subgroupShuffleXor(i, 1u)",
+        "subgroupBroadcastFirst(i)",
+        "subgroupAdd(i)",
+        "subgroupBroadcast(i, 1u)",
+    ] {
+        assert_eq!(findings(there), [], "{there}");
+    }
+    for absent in ["subgroupShuffleXor(i, 2u)", "subgroupShuffleDown(i, 1u)", "subgroupBroadcast(i, 2u)"] {
+        assert_eq!(findings(absent), [Fault::AbsentLane], "{absent}");
+    }
+}
+
+#[test]
 fn a_texel_that_is_not_there_is_a_finding() {
     let findings = |texel: &str| {
         let module = module(&format!(

@@ -208,7 +208,8 @@ impl<'t, 's> Trial<'t, 's> {
 
     /// Looks for mistakes of the program, if that is wanted, or if they may be why results differ.
     fn sanitize(&mut self, subject: &Subject<'_>, machine: Machine<'_>) -> Res<()> {
-        let (is_wanted, differs) = (self.steps.job.sanitize, self.report.status == Status::Differs);
+        let is_wanted = self.steps.job.sanitize;
+        let differs = matches!(self.report.status, Status::Differs | Status::Unjudged);
         if !is_wanted && !differs {
             return Ok(());
         }
@@ -224,7 +225,7 @@ impl<'t, 's> Trial<'t, 's> {
             Err(stop) => return Err(stop),
         }
         let explains = |kind: &str| match kind {
-            "OutOfBounds" | "Race" | "NonUniformBarrier" => true,
+            "OutOfBounds" | "Race" | "NonUniformBarrier" | "AbsentLane" => true,
             "Unwritten" => is_open,
             _ => false,
         };

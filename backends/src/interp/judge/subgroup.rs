@@ -24,6 +24,7 @@ impl<M: Model> Machine<'_, M> {
                     None
                 });
             }
+            self.watch_exchange(subgroup, first, &lanes);
             let results = exchange(subgroup.op, scalar, &lanes);
             for (lane, bits) in (first..).zip(results) {
                 if self.flow.active.get(lane) {

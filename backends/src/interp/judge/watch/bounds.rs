@@ -1,9 +1,11 @@
-//! Looks for what is not there: elements of arrays, texels of textures.
+//! Looks for what is not there: elements of arrays, texels of textures, lanes of subgroups.
 
 use super::super::super::error::Res;
 use super::super::super::finding::Fault;
 use super::super::super::model::Model;
-use super::super::super::program::{Access, Count, Value};
+use super::super::super::program::subgroup::SubgroupOp;
+use super::super::super::program::{Access, Count, Subgroup, Value};
+use super::super::super::subgroup::{Brought, partner};
 use super::super::super::texture::astray;
 use super::super::{Machine, integer};
 use super::Watch;
@@ -39,5 +41,21 @@ impl Watch {
             }
         }
         Ok(())
+    }
+
+    /// What the lanes of the subgroup that begins with lane `first` gather from each other.
+    pub(super) fn gathered<M: Model>(
+        &mut self,
+        m: &Machine<'_, M>,
+        subgroup: &Subgroup,
+        first: usize,
+        lanes: &[Option<Brought>],
+    ) {
+        let SubgroupOp::Gather(gather) = subgroup.op else { return };
+        let alone = |at: &usize| lanes[*at].is_some() && partner(gather, *at, lanes).is_none();
+        if let Some(at) = (0..lanes.len()).find(alone) {
+            let message = || format!("lane {at} of a subgroup takes a value of a lane that is not active");
+            self.report(m, (Fault::AbsentLane, subgroup.at), first + at, message);
+        }
     }
 }

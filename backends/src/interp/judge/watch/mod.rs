@@ -12,7 +12,8 @@ use super::super::error::{InterpError, Res};
 use super::super::finding::{Checks, Fault, Finding, Invocation};
 use super::super::model::Model;
 use super::super::program::op::IntOp;
-use super::super::program::{Block, Eval, Op, Scalar, Stmt, Value};
+use super::super::program::{Block, Eval, Op, Scalar, Stmt, Subgroup, Value};
+use super::super::subgroup::Brought;
 use super::input::{Inputs, local};
 use super::{Machine, integer};
 use naga::Span;
@@ -176,6 +177,14 @@ impl<M: Model> Machine<'_, M> {
 
     pub(super) fn watch_before(&mut self, stmt: &Stmt) -> Res<()> {
         self.watched(|watch, m| watch.before(m, stmt))
+    }
+
+    /// The lanes of a subgroup have brought their values.
+    pub(super) fn watch_exchange(&mut self, subgroup: &Subgroup, first: usize, lanes: &[Option<Brought>]) {
+        let _ = self.watched(|watch, m| {
+            watch.gathered(m, subgroup, first, lanes);
+            Ok(())
+        });
     }
 
     pub(super) fn watch_result(&mut self, eval: &Eval) -> Res<()> {
