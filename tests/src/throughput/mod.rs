@@ -9,6 +9,7 @@ mod workload;
 pub use executor::{BenchError, Executor};
 pub use workload::{MOST, Maker, WORKLOADS, Workload};
 
+use crate::domain::Rng;
 use executor::Subject;
 use lobe_backends::interp::Isa;
 use std::collections::BTreeMap;
@@ -56,9 +57,7 @@ pub fn measure(
     let mut times = vec![Vec::with_capacity(rounds); executors.len()];
     let names: Vec<String> = executors.iter().map(Executor::name).collect();
     for round in 0..=rounds {
-        // Whoever runs first in a round finds the caches as the last one left them, so all take turns.
-        for turn in 0..names.len() {
-            let at = (turn + round) % names.len();
+        for at in order(names.len(), round) {
             let mut passes = Vec::new();
             for _ in 0..PASSES {
                 passes.push(subject.time(&mut executors[at])?.as_secs_f64());
@@ -96,6 +95,17 @@ pub fn measure(
     Ok(executors.iter().enumerate().map(measurement).collect())
 }
 
+/// Who runs when in a round: one who comes after a driver finds caches and processors as that left them, so everyone takes
+/// turns at coming first, and at coming after each of the others.
+fn order(executors: usize, round: usize) -> Vec<usize> {
+    let mut rng = Rng::new(round as u64, "order");
+    let mut order: Vec<_> = (0..executors).collect();
+    for at in (1..executors).rev() {
+        order.swap(at, rng.below(at + 1));
+    }
+    order
+}
+
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
@@ -126,6 +136,20 @@ pub fn goals(isa: Isa) -> Option<[f64; WORKLOADS.len()]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of some executors, whoever they are: each follows each other about as often.
+    #[test]
+    fn everyone_comes_after_everyone() {
+        let mut after = [[0; 5]; 5];
+        for round in 0..1000 {
+            let order = order(5, round);
+            order.windows(2).for_each(|pair| after[pair[0]][pair[1]] += 1);
+        }
+        for (before, counts) in after.iter().enumerate() {
+            let others = counts.iter().enumerate().filter(|(at, _)| *at != before);
+            assert!(others.clone().all(|(_, n)| (150..250).contains(n)) && counts[before] == 0, "{after:?}");
+        }
+    }
 
     #[test]
     fn executors_compute_the_same_and_name_each_other() {
