@@ -31,7 +31,7 @@ pub(crate) struct Args {
     /// Threads of the interpreter, of native code and of lavapipe; by default all
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// End with exit code 1 if the interpreter is below half of its goal against lavapipe anywhere
+    /// End with exit code 1 if the interpreter is below half of its goal against lavapipe anywhere, twice in a row
     #[arg(long)]
     floor: bool,
 }
@@ -64,10 +64,18 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     for maker in makers {
         let items = args.items.map_or(maker.items, |n| n as usize);
         let workload = maker.make(items);
-        let measured = throughput::measure(&workload, &mut executors, args.rounds.into())?;
-        output::print(&render(&measured, args.format))?;
-        if args.floor && !holds(maker, &measured)? {
-            outcome = Outcome::FellShort;
+        let mut measured = || -> Result<Vec<Measurement>, Fail> {
+            let measured = throughput::measure(&workload, &mut executors, args.rounds.into())?;
+            output::print(&render(&measured, args.format))?;
+            Ok(measured)
+        };
+        let first = measured()?;
+        if args.floor && !holds(maker, &first)? {
+            // A machine that was busy for a while is no fault of the interpreter's.
+            eprintln!("lobe: {}: MEASURED A SECOND TIME, which decides", maker.name);
+            if !holds(maker, &measured()?)? {
+                outcome = Outcome::FellShort;
+            }
         }
     }
     Ok(outcome)
@@ -150,10 +158,10 @@ fn holds(maker: &Maker, measured: &[Measurement]) -> Result<bool, Fail> {
         let ratio = ratio.ok_or_else(|| Fail::Usage(format!("--floor needs interp and {YARDSTICK}")))?;
         if ratio < goal / 2.0 {
             let floor = goal / 2.0;
-            output::print(&format!(
-                "{} on {isa}: {ratio:.2} x {YARDSTICK} is below the floor of {floor}\n",
+            eprintln!(
+                "lobe: {} on {isa}: {ratio:.2} x {YARDSTICK} is below the floor of {floor}",
                 maker.name
-            ))?;
+            );
             holds = false;
         }
     }
