@@ -193,3 +193,60 @@ fn workgroups_beyond_an_array_come_last() {
         }";
     settled(text, [300, 1, 1], &[buffer(0, &[1; 5000])]);
 }
+
+/// Like the judge's, whose invocations run in turn.
+fn check_in_turn(text: &str, groups: [u32; 3], buffers: &[Buffer]) {
+    let left = settled(text, groups, buffers);
+    let mut judged = buffers.to_vec();
+    Interpreter::new(&module(text)).unwrap().run_judged(0, groups, &mut judged).unwrap();
+    assert_eq!(judged.iter().map(words).collect::<Vec<_>>(), left, "{text}");
+}
+
+/// An element for each workgroup, written by any of its invocations; in the second, an invocation has the element of
+/// another workgroup; at last more workgroups than elements.
+#[test]
+fn an_element_is_a_workgroups() {
+    let text = |index: &str| {
+        format!(
+            "@group(0) @binding(0) var<storage, read_write> sums: array<u32>;
+            var<workgroup> part: atomic<u32>;
+            @compute @workgroup_size(8)
+            fn f(@builtin(global_invocation_id) id: vec3<u32>, @builtin(workgroup_id) group: vec3<u32>) {{
+                atomicAdd(&part, id.x);
+                workgroupBarrier();
+                sums[group.x] = sums[{index}] * 3u + atomicLoad(&part);
+            }}"
+        )
+    };
+    for (index, length) in [("group.x", 300), ("id.x", 300), ("group.x", 50)] {
+        check_in_turn(&text(index), [200, 1, 1], &[buffer(0, &vec![1; length])]);
+    }
+}
+
+/// Rows of a width that is known, stated by a buffer or the number of workgroups. Those that are narrower than a dispatch
+/// overlap, and those beyond the array share its end: the last to write there is the last invocation.
+#[test]
+fn places_in_rows_are_an_invocations() {
+    let text = |width: &str, value: &str| {
+        format!(
+            "@group(0) @binding(0) var<storage, read_write> out: array<u32>;
+            @group(0) @binding(1) var<storage, read> size: array<u32, 1>;
+            @compute @workgroup_size(8, 4)
+            fn f(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {{
+                let i = id.y * {width} + id.x;
+                out[i] = {value} + id.x * 1000u + id.y;
+            }}"
+        )
+    };
+    for width in ["80u", "64u", "size[0]", "(groups.x * 8u)"] {
+        for (size, length) in [(80, 80 * 40), (72, 80 * 40), (80, 500)] {
+            let buffers = [buffer(0, &vec![1; length]), buffer(1, &[size])];
+            check_in_turn(&text(width, "7u"), [10, 10, 1], &buffers);
+        }
+        // Nobody else's place is read where each has one.
+        let buffers = [buffer(0, &vec![1; 80 * 40]), buffer(1, &[80])];
+        if width != "64u" {
+            check_in_turn(&text(width, "out[i] * 3u"), [10, 10, 1], &buffers);
+        }
+    }
+}

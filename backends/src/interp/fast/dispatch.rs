@@ -7,6 +7,7 @@
 
 mod bind;
 mod order;
+mod own;
 
 use super::super::error::Res;
 use super::super::resources::Resources;
@@ -35,11 +36,11 @@ impl Dispatch<'_> {
         let workgroups = self.groups.iter().map(|n| *n as usize).product::<usize>();
         let cooperative = self.code.program.cooperative;
         let (total, step) = if cooperative { (workgroups, 1) } else { (workgroups * self.volume(), LANES) };
-        let wide = std::array::from_fn(|axis| self.groups[axis] > 1 || self.size[axis] > 1);
         let run = |range: Range<usize>| {
             if cooperative { self.workgroups(memory, range) } else { self.batches(memory, range) }
         };
-        let free = order::free(&self.code.program, wide).map_or(0, |arrays| memory.shortest(&arrays));
+        let launch = own::Launch { groups: self.groups, size: self.size, memory };
+        let free = order::free(&self.code.program, &launch);
         let free = total.min(if cooperative { free / self.volume().max(1) } else { free });
         let share = free.div_ceil(rayon::current_num_threads() * 4).next_multiple_of(step).max(step);
         let chunks: Vec<_> = (0..free).step_by(share).map(|at| at..free.min(at + share)).collect();

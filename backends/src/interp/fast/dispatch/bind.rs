@@ -6,7 +6,6 @@ use super::super::super::program::{Count, Program};
 use super::super::super::resources::{BoundTexture, Found, Resources};
 use super::super::machine::Bound;
 use super::super::together::BoundImage;
-use super::order;
 use crate::interp::Buffer;
 use crate::texture::Sampler;
 
@@ -22,16 +21,22 @@ pub(super) struct Memory {
 unsafe impl Sync for Memory {}
 
 impl Memory {
-    /// Length of the shortest of these arrays.
-    pub(super) fn shortest(&self, arrays: &[order::Elements]) -> usize {
-        let length = |array: &order::Elements| match array.count {
+    /// Elements of an array.
+    pub(super) fn length(&self, count: Count, stride: u32) -> usize {
+        match count {
             Count::Fixed(count) => count as usize,
             Count::Runtime { buffer, begin } => {
-                self.buffers[buffer as usize].len.saturating_sub(begin as usize)
-                    / array.stride.max(1) as usize
+                self.buffers[buffer as usize].len.saturating_sub(begin as usize) / stride.max(1) as usize
             }
-        };
-        arrays.iter().map(length).min().unwrap_or(usize::MAX)
+        }
+    }
+
+    /// A word of a buffer, before the dispatch begins; `None` past its end.
+    pub(super) fn word(&self, buffer: u32, offset: u32) -> Option<u32> {
+        let Bound { ptr, len } = self.buffers[buffer as usize];
+        let at = offset as usize;
+        // SAFETY: the word lies in memory, which nobody writes yet.
+        (at + 4 <= len).then(|| unsafe { ptr.add(at).cast::<u32>().read_unaligned() })
     }
 }
 
