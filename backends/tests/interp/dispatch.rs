@@ -250,3 +250,38 @@ fn places_in_rows_are_an_invocations() {
         }
     }
 }
+
+/// Variables that take each other's values, or their own changed in place, over the rounds of a loop.
+#[test]
+fn variables_change_in_place() {
+    let text = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) {
+            var a = f32(id.x) * 0.01;
+            var b = 1.0;
+            var c = 0.5;
+            var most = -10.0;
+            var least = 10.0;
+            var far = 0.0;
+            var n = 1u;
+            for (var i = 0u; i < 7u; i++) {
+                let before = a;
+                a = exp(a * -0.5);
+                b = b - a * before;
+                c = before * 0.25 + c;
+                most = max(most, b);
+                least = min(least, c);
+                far = sqrt(far * far + a);
+                let swapped = b;
+                b = c;
+                c = swapped;
+                b = b * 0.9;
+                c = a - c;
+                if id.x % 3u == i { a = exp2(-a); c = c + b; }
+                n = n * 3u + i;
+            }
+            out[id.x] = bitcast<u32>(a) ^ bitcast<u32>(b) * 3u ^ bitcast<u32>(c) * 5u ^ bitcast<u32>(most) * 7u
+                ^ bitcast<u32>(least) * 11u ^ bitcast<u32>(far) * 13u ^ n;
+        }";
+    check_in_turn(text, [4, 1, 1], &[buffer(0, &[0; 256])]);
+}

@@ -4,6 +4,7 @@
 //! operation that reads it: a result never lies where an operand does.
 
 use super::super::program::{Block, Program, Reg, Stmt, Value};
+use super::ops;
 
 /// Slots of either width that `link` uses for masks and copies come first.
 pub(super) struct Allocation {
@@ -39,10 +40,17 @@ impl Scan<'_> {
     }
 
     fn block(&mut self, block: &Block) {
-        for stmt in block {
+        for (rank, stmt) in block.iter().enumerate() {
             self.at += 1;
             let mut operands = Vec::new();
             stmt.operands(&mut |v| operands.push(v));
+            // `link` makes one step of the two, which reads the operands of the first.
+            if let [.., Stmt::Eval(first)] = &block[..rank]
+                && let Stmt::Eval(second) = stmt
+                && ops::chained(first, second)
+            {
+                operands.extend(first.args.iter().copied());
+            }
             operands.into_iter().for_each(|v| self.touch(v));
             stmt.targets().for_each(|to| self.touch(Value::Reg(to)));
             self.inner(stmt);

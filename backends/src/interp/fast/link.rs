@@ -1,18 +1,19 @@
 //! From programs to code: forms of operations, slots, jumps, masks.
 
+mod direct;
 mod elements;
 mod evals;
 mod flow;
 
 use super::super::error::{InterpError, Res};
-use super::super::passes::{Masks, Owner};
-use super::super::program::{Block, Program, Scalar, Stmt, Value};
+use super::super::passes::{self, Masks, Owner};
+use super::super::program::{Block, Eval, Program, Reg, Scalar, Stmt, Value};
 use super::allocate::{Allocation, allocate};
 use super::ops;
-use super::shape::{Body, exec};
+use super::shape::{Ask, Body, exec};
 use super::{Code, Inst, Isa, machine, memory, together};
 use flow::{Mask, Region};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// Slots that hold copies of cells for one step.
 const COPIES: u32 = 4;
@@ -31,6 +32,12 @@ struct Linker<'p, const N: usize> {
     elements: Vec<memory::Array>,
     /// Registers that hold the number of the invocation along the first axis.
     numbers: HashSet<Value>,
+    /// How often each register is read.
+    uses: Vec<u32>,
+    /// Registers that have been assigned.
+    assigned: HashSet<Reg>,
+    /// Registers whose operations write to what would be assigned from them.
+    direct: HashMap<Reg, Reg>,
     /// Counts blocks as `passes::uniform` does.
     blocks: u32,
     regions: Vec<Region>,
@@ -71,6 +78,9 @@ pub(super) fn link<const N: usize>(program: Program, masks: &Masks, isa: Isa) ->
         calls: together::Calls::default(),
         elements: Vec::new(),
         numbers: HashSet::new(),
+        uses: passes::uses(&program),
+        assigned: HashSet::new(),
+        direct: HashMap::new(),
         blocks: 0,
         regions: Vec::new(),
         cleared: HashSet::new(),
@@ -121,9 +131,11 @@ impl<const N: usize> Linker<'_, N> {
     }
 
     fn block(&mut self, block: &Block, mask: Mask, arrays: &[u32]) -> Res<()> {
+        self.find_direct(block, mask);
         let mut rest = &block[..];
         while let [stmt, after @ ..] = rest {
             rest = match elements::together(self.program, rest) {
+                0 | 1 if self.chain(rest) => &rest[2..],
                 0 | 1 => {
                     self.statement(stmt, mask, arrays)?;
                     after
@@ -138,6 +150,51 @@ impl<const N: usize> Linker<'_, N> {
             }
         }
         Ok(())
+    }
+
+    /// Finds what in a block is written to where it would be copied to.
+    fn find_direct(&mut self, block: &Block, mask: Mask) {
+        let whole = |to: Reg| self.masks.declared.get(&to) == Some(&mask.owner);
+        let (program, uses, assigned) = (self.program, &self.uses[..], &self.assigned);
+        let found = direct::Targets { program, uses, assigned, whole: &whole }.of(block);
+        self.direct.extend(found);
+    }
+
+    /// Links an operation and a function of nothing but its result as one step, if there is one for the two.
+    fn chain(&mut self, block: &[Stmt]) -> bool {
+        let [Stmt::Eval(first), Stmt::Eval(second), ..] = block else {
+            return false;
+        };
+        let only = ops::chained(first, second) && self.uses[first.to.0 as usize] == 1;
+        if !only || !self.program.varying(Value::Reg(first.to)) {
+            return false;
+        }
+        let (ask, s) = self.operands(first);
+        let Some(run) = ops::find_chain::<N>(first.op, second.op, ask) else {
+            return false;
+        };
+        let d = self.result_place(second.to);
+        // A result never lies where an operand does: one that takes the place of a variable may.
+        if s.iter().zip(ask.varying).any(|(s, varying)| varying && *s == d) {
+            return false;
+        }
+        self.insts.push(Inst { run, d, s, n: [0; 3] });
+        true
+    }
+
+    /// Which operands of an operation are slots, and where they are.
+    fn operands(&self, eval: &Eval) -> (Ask, [u32; 4]) {
+        let mut ask = Ask { isa: self.isa, varying: [false; 4] };
+        let mut s = [0; 4];
+        for (at, arg) in eval.args.iter().enumerate() {
+            (s[at], ask.varying[at]) = (self.place(*arg), self.program.varying(*arg));
+        }
+        (ask, s)
+    }
+
+    /// Where the result of an operation goes.
+    fn result_place(&self, to: Reg) -> u32 {
+        self.place(Value::Reg(self.direct.get(&to).copied().unwrap_or(to)))
     }
 
     fn statement(&mut self, stmt: &Stmt, mask: Mask, arrays: &[u32]) -> Res<()> {

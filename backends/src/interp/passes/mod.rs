@@ -55,7 +55,7 @@ fn kept(program: &Program) -> HashSet<Reg> {
 }
 
 /// How often each register is read.
-fn uses(program: &Program) -> Vec<u32> {
+pub(super) fn uses(program: &Program) -> Vec<u32> {
     let mut uses = vec![0; program.registers.len()];
     let mut read = |value| {
         if let Value::Reg(Reg(at)) = value {

@@ -8,7 +8,7 @@ use super::super::shape::{Ask, Each, Same, exec};
 use super::super::together::{self, Operand, SubgroupCall, TextureCall};
 use super::super::{Inst, memory, ops};
 use super::flow::Mask;
-use super::{COPIES, Linker, wide};
+use super::{COPIES, Linker, direct, wide};
 
 impl<const N: usize> Linker<'_, N> {
     pub(super) fn eval(&mut self, eval: &Eval, arrays: &[u32]) -> Res<()> {
@@ -53,12 +53,14 @@ impl<const N: usize> Linker<'_, N> {
         }
     }
 
-    fn operation(&mut self, op: Op, eval: &Eval, d: u32) -> Res<()> {
-        let mut ask = Ask { isa: self.isa, varying: [false; 4] };
-        let mut s = [0; 4];
-        for (at, arg) in eval.args.iter().enumerate() {
-            (s[at], ask.varying[at]) = (self.place(*arg), self.program.varying(*arg));
+    fn operation(&mut self, op: Op, eval: &Eval, mut d: u32) -> Res<()> {
+        if let Some(to) = self.direct.get(&eval.to).copied() {
+            d = self.place(Value::Reg(to));
+            if self.program.varying(Value::Reg(to)) && eval.args.contains(&Value::Reg(to)) {
+                return self.update(op, eval, to);
+            }
         }
+        let (mut ask, mut s) = self.operands(eval);
         let missing = || self.refuse(format!("{op:?}"));
         let mut found = ops::find::<N>(op, ask).ok_or_else(missing)?;
         if found.is_none() {
@@ -73,6 +75,23 @@ impl<const N: usize> Linker<'_, N> {
             _ => [0; 3],
         };
         self.insts.push(Inst { run, d, s, n });
+        Ok(())
+    }
+
+    /// An operation on a slot in place.
+    fn update(&mut self, op: Op, eval: &Eval, to: Reg) -> Res<()> {
+        let (form, others) = direct::in_place(eval, to).ok_or_else(|| self.refuse(format!("{op:?}")))?;
+        let mut ask = Ask { isa: self.isa, varying: [false; 4] };
+        let mut s = [0; 4];
+        for (at, value) in others.into_iter().enumerate() {
+            (s[at], ask.varying[at]) = (self.place(value), self.program.varying(value));
+        }
+        if form.needs_slot() && !ask.varying[0] {
+            s.swap(0, 1);
+            ask.varying.swap(0, 1);
+        }
+        let run = ops::update(form, ask);
+        self.insts.push(Inst { run, d: self.place(Value::Reg(to)), s, n: [0; 3] });
         Ok(())
     }
 
@@ -210,6 +229,10 @@ impl<const N: usize> Linker<'_, N> {
 
     /// Assigns a kept register: in the lanes of the mask, or in all where it was first set under this one.
     pub(super) fn set(&mut self, to: Reg, value: Value, mask: Mask) {
+        self.assigned.insert(to);
+        if matches!(value, Value::Reg(from) if self.direct.get(&from) == Some(&to)) {
+            return;
+        }
         let scalar = self.program.scalar(value);
         let (d, s) = (self.place(Value::Reg(to)), self.place(value));
         let whole = self.masks.declared.get(&to) == Some(&mask.owner);

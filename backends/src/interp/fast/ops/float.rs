@@ -55,7 +55,7 @@ functions! {
 macro_rules! shortened {
     ($($name:ident $function:ident, $short:path where $right:path;)*) => {
         $(
-            struct $name;
+            pub(super) struct $name;
             impl Fn1 for $name {
                 type A = f32;
                 type R = f32;

@@ -12,7 +12,7 @@ impl Pair for Sub {}
 impl Pair for Mul {}
 
 /// `(a F b) G c`
-struct Then<F, G>(PhantomData<(F, G)>);
+pub(super) struct Then<F, G>(PhantomData<(F, G)>);
 /// `c G (a F b)`
 struct After<F, G>(PhantomData<(F, G)>);
 

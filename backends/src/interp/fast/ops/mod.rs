@@ -3,16 +3,21 @@
 //! [`find`] is exhaustive over [`Op`]; an operation that has no form yet is `None` and refused when linked.
 
 mod cast;
+mod chain;
 mod float;
 mod floats;
 mod fused;
 mod horner;
+mod in_place;
 mod integer;
 mod logic;
 mod sized;
 
 use super::super::program::{Op, Scalar};
 use super::shape::{Ask, Exec, Found};
+
+pub(super) use chain::{chained, find as find_chain};
+pub(super) use in_place::{InPlace, in_place, update};
 
 /// Declares functions of numbers: the type, its arguments and the expression.
 macro_rules! functions {
