@@ -238,23 +238,27 @@ fn places_in_rows_are_an_invocations() {
             }}"
         )
     };
+    // So many that all threads take part.
+    const ALL: usize = 80 * 1600;
     for width in ["80u", "64u", "size[0]", "(groups.x * 8u)"] {
-        for (size, length) in [(80, 80 * 40), (72, 80 * 40), (80, 500)] {
+        for (size, length) in [(80, ALL), (72, ALL), (80, 500)] {
             let buffers = [buffer(0, &vec![1; length]), buffer(1, &[size])];
-            check_in_turn(&text(width, "7u"), [10, 10, 1], &buffers);
+            check_in_turn(&text(width, "7u"), [10, 400, 1], &buffers);
         }
         // Nobody else's place is read where each has one.
-        let buffers = [buffer(0, &vec![1; 80 * 40]), buffer(1, &[80])];
+        let buffers = [buffer(0, &vec![1; ALL]), buffer(1, &[80])];
         if width != "64u" {
-            check_in_turn(&text(width, "out[i] * 3u"), [10, 10, 1], &buffers);
+            check_in_turn(&text(width, "out[i] * 3u"), [10, 400, 1], &buffers);
         }
     }
 }
 
-/// Variables that take each other's values, or their own changed in place, over the rounds of a loop.
+/// Variables that take each other's values, or their own changed in place, over the rounds of a loop that lanes leave together, or
+/// not.
 #[test]
 fn variables_change_in_place() {
-    let text = "
+    let text = |rounds: &str| {
+        "
         @group(0) @binding(0) var<storage, read_write> out: array<u32>;
         @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) {
             var a = f32(id.x) * 0.01;
@@ -263,8 +267,9 @@ fn variables_change_in_place() {
             var most = -10.0;
             var least = 10.0;
             var far = 0.0;
+            var slow = f32(id.x);
             var n = 1u;
-            for (var i = 0u; i < 7u; i++) {
+            for (var i = 0u; i < ROUNDS; i++) {
                 let before = a;
                 a = exp(a * -0.5);
                 b = b - a * before;
@@ -276,12 +281,19 @@ fn variables_change_in_place() {
                 b = c;
                 c = swapped;
                 b = b * 0.9;
+                let next = slow * 0.75 + 1.0;
+                most = most + slow;
+                slow = next;
                 c = a - c;
                 if id.x % 3u == i { a = exp2(-a); c = c + b; }
                 n = n * 3u + i;
             }
             out[id.x] = bitcast<u32>(a) ^ bitcast<u32>(b) * 3u ^ bitcast<u32>(c) * 5u ^ bitcast<u32>(most) * 7u
                 ^ bitcast<u32>(least) * 11u ^ bitcast<u32>(far) * 13u ^ n;
-        }";
-    check_in_turn(text, [4, 1, 1], &[buffer(0, &[0; 256])]);
+        }"
+    .replace("ROUNDS", rounds)
+    };
+    for rounds in ["7u", "3u + id.x % 5u"] {
+        check_in_turn(&text(rounds), [4, 1, 1], &[buffer(0, &[0; 256])]);
+    }
 }
