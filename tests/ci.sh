@@ -28,7 +28,7 @@ step_test() { cargo test --workspace --no-fail-fast; }
 step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
 # The main job, as a user runs it, with every road to the driver that CI must have.
 step_check() {
-    cargo run --release -- check \
+    cargo run --release -- check --sanitize \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
 }
 # The tables that came with the kernels, on every route.
