@@ -18,7 +18,7 @@ use std::ops::Range;
 const LANES: usize = 256;
 
 /// The same in the shadow lane, whose tape shall stay in a cache.
-const SHADOW_LANES: usize = 64;
+const SHADOW_LANES: usize = 16;
 
 /// A function's code with its arguments.
 #[derive(Clone, Copy)]

@@ -17,6 +17,12 @@
 //! what cancels cancels.
 
 use super::{Float, MIN_NORMAL};
+use std::cell::RefCell;
+
+thread_local! {
+    /// The memory of a tape that is done with, for the next one of this thread.
+    static SPARE: RefCell<Option<(Vec<Step>, Sweep)>> = const { RefCell::new(None) };
+}
 
 /// An interval of difference quotients.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,7 +123,8 @@ const HAIR: f64 = 1.0 + 1e-9;
 impl Tape {
     /// An empty tape for so many steps.
     pub(super) fn with_capacity(capacity: usize) -> Self {
-        Self { steps: Vec::new(), capacity, sweep: Sweep::default() }
+        let (steps, sweep) = SPARE.take().unwrap_or_default();
+        Self { steps, capacity, sweep }
     }
 
     /// `result`, of which nothing is remembered but its interval; still, it is one number wherever it is used.
@@ -205,6 +212,13 @@ impl Tape {
             }
         }
         sum * HAIR
+    }
+}
+
+impl Drop for Tape {
+    fn drop(&mut self) {
+        self.steps.clear();
+        SPARE.set(Some((std::mem::take(&mut self.steps), std::mem::take(&mut self.sweep))));
     }
 }
 
