@@ -10,9 +10,10 @@ use crate::question::robust::Robust;
 use crate::question::sanitized::Sanitized;
 use crate::question::{Answer, Batch, Question, Verdict};
 use crate::report::KernelReport;
-use crate::subject::Subject;
+use crate::subject::{Permitted, Subject};
 use crate::value::RowError;
 use lobe_backends::executor::{ExecError, Executor};
+use lobe_backends::interp::ShadowColumns;
 use lobe_backends::route::Route;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::FunctionRef;
@@ -113,24 +114,47 @@ fn answers(
     Ok(answers)
 }
 
-/// Runs `args` on `routes`, batch by batch.
+/// Runs `args` on `routes`, batch by batch; the bounds of the next batch are derived meanwhile.
 pub(crate) fn each_batch(
     subject: &Subject,
     args: &Columns,
     routes: &mut [Box<dyn Executor>],
     take: &mut dyn FnMut(&Batch<'_>),
 ) -> Result<(), JudgeError> {
-    for start in (0..args.rows).step_by(BATCH) {
-        let args = args.slice(start..(start + BATCH).min(args.rows));
+    std::thread::scope(|scope| {
+        let begin = |start: usize| {
+            let args = args.slice(start..(start + BATCH).min(args.rows));
+            scope.spawn(move || Bounded::new(subject, args))
+        };
+        let mut starts = (0..args.rows).step_by(BATCH);
+        let mut next = starts.next().map(begin);
+        while let Some(current) = next {
+            let Bounded { args, shadow, permitted } =
+                current.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+            next = starts.next().map(begin);
+            let outputs: Vec<_> = routes
+                .iter_mut()
+                .map(|r| (r.route().clone(), r.run(subject.program(), &args).map_err(|e| e.to_string())))
+                .collect();
+            take(&Batch { subject, args: &args, shadow: &shadow, permitted: &permitted, outputs: &outputs });
+        }
+        Ok(())
+    })
+}
+
+/// Rows with what may come of them.
+struct Bounded {
+    args: Columns,
+    shadow: ShadowColumns,
+    permitted: Permitted,
+}
+
+impl Bounded {
+    fn new(subject: &Subject, args: Columns) -> Result<Self, ExecError> {
         let shadow = subject.program().shadow(&args, None)?;
         let permitted = subject.permitted(&args, &shadow)?;
-        let outputs: Vec<_> = routes
-            .iter_mut()
-            .map(|r| (r.route().clone(), r.run(subject.program(), &args).map_err(|e| e.to_string())))
-            .collect();
-        take(&Batch { subject, args: &args, shadow: &shadow, permitted: &permitted, outputs: &outputs });
+        Ok(Self { args, shadow, permitted })
     }
-    Ok(())
 }
 
 struct Questions {
