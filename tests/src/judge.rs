@@ -20,7 +20,7 @@ use lobe_codegen::def::FunctionRef;
 use std::path::PathBuf;
 
 /// Rows judged at once: enough to occupy every thread and driver, little enough to show progress.
-const BATCH: usize = 16_384;
+const BATCH: usize = 8192;
 
 /// What a kernel is asked with.
 #[derive(Clone, Debug)]
