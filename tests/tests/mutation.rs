@@ -40,7 +40,7 @@ fn plan() -> Plan {
 }
 
 fn faults(kernel: FunctionRef) -> KernelFaults {
-    mutate(kernel, &plan(), &|_, _| {}).expect("faults")
+    mutate(kernel, &plan()).expect("faults")
 }
 
 #[test]

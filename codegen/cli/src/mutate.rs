@@ -64,7 +64,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let mut all = Vec::new();
     for kernel in kernels {
         bar.set_message(kernel().name);
-        let faults = mutate(kernel, &plan, &|_, _| {})?;
+        let faults = mutate(kernel, &plan)?;
         if args.format == ListFormat::Human {
             bar.suspend(|| output::print(&of_kernel(&faults, args.survivors)))?;
         }

@@ -49,24 +49,14 @@ impl Plan {
 
 /// Seeds every fault into `kernel`, and tells what becomes of each.
 ///
-/// `progress` is called with the number of faults done and to do.
-///
 /// # Errors
 /// When the kernel cannot be run at all.
-pub fn mutate(
-    kernel: FunctionRef,
-    plan: &Plan,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<KernelFaults, JudgeError> {
+pub fn mutate(kernel: FunctionRef, plan: &Plan) -> Result<KernelFaults, JudgeError> {
     let reference = Reference::new(kernel, plan)?;
     let mut mutants = sites::faults(reference.program());
     mutants.extend(text::faults(reference.program()));
-    let done = std::sync::atomic::AtomicUsize::new(0);
     let try_one = |mutant: &Mutant| {
-        let outcome = if plan.is_over() { Outcome::NotTried } else { trial::judge(&reference, mutant) };
-        let so_far = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-        progress(so_far, mutants.len());
-        outcome
+        if plan.is_over() { Outcome::NotTried } else { trial::judge(&reference, mutant) }
     };
     let mut outcomes: Vec<Outcome> = mutants.par_iter().map(try_one).collect();
     proof::look_again(&reference, plan, &mutants, &mut outcomes);
