@@ -236,3 +236,93 @@ fn cases_without_a_break_run_into_the_next() {
     // (1 + 10) * 3 - 7, 1 * 3 + 100, 1 + 100, 1 * 2, (1 - 1) * 2, (55 - 1) * 2 twice, (1 - 1) * 2
     assert_eq!(got, [26, 103, 101, 2, 0, 108, 108, 0]);
 }
+
+#[test]
+fn what_no_round_changes_is_computed_before_the_loop_and_what_one_changes_is_not() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            var scale = a % 5u;
+            var sum = 0u;
+            for (var i = 0u; i < a % 7u; i++) {
+                let same = (a ^ 3u) % 11u;
+                let changing = scale * 3u + same;
+                for (var j = 0u; j < i; j++) { sum += changing ^ (i << 1u); }
+                if i == 3u { scale += same; }
+                sum += changing;
+            }
+            return sum;
+        }",
+        |a| {
+            let (mut scale, mut sum) = (a % 5, 0u32);
+            for i in 0..a % 7 {
+                let same = (a ^ 3) % 11;
+                let changing = scale * 3 + same;
+                sum += (changing ^ (i << 1)) * i;
+                if i == 3 {
+                    scale += same;
+                }
+                sum += changing;
+            }
+            sum
+        },
+    );
+}
+
+/// A loop whose counter decides by `comparison`, in `ty`, from `from` by `step`.
+fn counted(comparison: &str, ty: &str, [from, step, to]: [i32; 3]) -> String {
+    format!(
+        "fn f(a: u32) -> u32 {{
+            var rounds = a;
+            for (var i = {ty}({from}); i {comparison} {ty}({to}); i += {ty}({step})) {{ rounds += 1u; }}
+            return rounds;
+        }}"
+    )
+}
+
+#[test]
+fn loops_end_by_every_comparison() {
+    for ty in ["i32", "u32", "f32"] {
+        for (comparison, counts, rounds) in [
+            ("<", [0, 3, 10], 4),
+            ("<=", [0, 3, 9], 4),
+            (">", [20, -3, 10], 4),
+            (">=", [20, -3, 11], 4),
+            ("!=", [4, 2, 12], 4),
+            ("==", [4, 2, 4], 1),
+            ("<", [10, 1, 10], 0),
+        ] {
+            if ty != "u32" || counts[1] > 0 {
+                rows(&counted(comparison, ty, counts), |a| a + rounds);
+            }
+        }
+    }
+}
+
+#[test]
+fn sums_of_products_of_three_round_each_time() {
+    rows(
+        "fn f(a: u32) -> u32 {
+            let x = f32(a) * 0.37 + 0.1;
+            var sum = 0.3;
+            var other = 1.0;
+            for (var i = 0u; i < 9u; i++) {
+                let y = f32(i) + 0.7;
+                sum = sum + x * 1.1 * y;
+                other = other + x * other * y;
+                other = x * sum * x + other;
+            }
+            return bitcast<u32>(sum) ^ bitcast<u32>(other);
+        }",
+        |a| {
+            let x = a as f32 * 0.37 + 0.1;
+            let (mut sum, mut other) = (0.3f32, 1.0f32);
+            for i in 0..9 {
+                let y = i as f32 + 0.7;
+                sum += x * 1.1 * y;
+                other += x * other * y;
+                other += x * sum * x;
+            }
+            sum.to_bits() ^ other.to_bits()
+        },
+    );
+}

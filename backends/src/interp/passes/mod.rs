@@ -1,7 +1,8 @@
 //! Rewrites of programs, each a file; [`for_lanes`] is their order for the executor on lanes.
 //!
-//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`, `order`,
-//! `elements`, `fuse` and `horner` forget what a judge of decisions wants to know, and are for speed alone.
+//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`,
+//! `invariant`, `order`, `elements`, `fuse` and `horner` forget what a judge of decisions wants to know, and are for
+//! speed alone.
 
 mod common;
 mod dead;
@@ -10,6 +11,7 @@ mod flatten;
 mod fold;
 mod fuse;
 mod horner;
+mod invariant;
 mod order;
 mod uniform;
 
@@ -25,6 +27,7 @@ pub(super) fn for_lanes(program: &mut Program, packed: bool) -> Masks {
     fold::fold(program);
     common::common(program);
     dead::remove(program);
+    invariant::invariant(program);
     uniform::classify(program, packed);
     order::order(program);
     elements::elements(program);
