@@ -5,7 +5,7 @@
 #![allow(unsafe_code, reason = "steps on slots and cells at once")]
 
 use super::machine::{Lane, Machine};
-use super::shape::{Body, Each, Same, Source, target};
+use super::shape::{Body, Each, Fn2, Same, Source, target};
 use super::{Inst, Stop};
 use std::marker::PhantomData;
 
@@ -13,6 +13,8 @@ use std::marker::PhantomData;
 pub(super) struct Jump;
 /// Jumps if cell `s[0]` is `WHEN`.
 pub(super) struct JumpIf<const WHEN: bool>;
+/// Jumps if `F` of cells `s[0]` and `s[1]` is `WHEN`; nothing else asks for what `F` says.
+pub(super) struct JumpWhere<F, const WHEN: bool>(PhantomData<F>);
 /// `d` = mask `s[0]` where condition `s[1]` is `ACCEPT`; jumps if no lane is left.
 pub(super) struct Split<const ACCEPT: bool>;
 /// Takes the lanes of mask `s[0]` out of mask `d`.
@@ -64,6 +66,15 @@ impl<const WHEN: bool, const N: usize> Body<N> for JumpIf<WHEN> {
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
         // SAFETY: as `Body` promises.
         let holds: u32 = unsafe { Same::hold(m, i.s[0]) };
+        if (holds != 0) == WHEN { i.n[0] as usize } else { at + 1 }
+    }
+}
+
+impl<F: Fn2<R = u32>, const WHEN: bool, const N: usize> Body<N> for JumpWhere<F, WHEN> {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        // SAFETY: as `Body` promises.
+        let holds = unsafe { F::eval(Same::hold(m, i.s[0]), Same::hold(m, i.s[1])) };
         if (holds != 0) == WHEN { i.n[0] as usize } else { at + 1 }
     }
 }

@@ -7,7 +7,8 @@ mod flow;
 
 use super::super::error::{InterpError, Res};
 use super::super::passes::{self, Masks, Owner};
-use super::super::program::{Block, Eval, Program, Reg, Scalar, Stmt, Value};
+use super::super::program::op::Simple;
+use super::super::program::{Block, Eval, Op, Program, Reg, Scalar, Stmt, Value};
 use super::allocate::{Allocation, allocate};
 use super::ops;
 use super::shape::{Ask, Body, exec};
@@ -135,7 +136,8 @@ impl<const N: usize> Linker<'_, N> {
         let mut rest = &block[..];
         while let [stmt, after @ ..] = rest {
             rest = match elements::together(self.program, rest) {
-                0 | 1 if self.chain(rest) => &rest[2..],
+                0 | 1 if self.chain(rest) || self.sum_up(rest) => &rest[2..],
+                0 | 1 if self.compare_and_choose(rest, mask, arrays)? => &rest[2..],
                 0 | 1 => {
                     self.statement(stmt, mask, arrays)?;
                     after
@@ -179,6 +181,38 @@ impl<const N: usize> Linker<'_, N> {
             return false;
         }
         self.insts.push(Inst { run, d, s, n: [0; 3] });
+        true
+    }
+
+    /// Links a product of three and its addition to a register as one step.
+    fn sum_up(&mut self, block: &[Stmt]) -> bool {
+        let [Stmt::Eval(product), Stmt::Eval(sum), ..] = block else {
+            return false;
+        };
+        let Op::Fused { first: Simple::Mul, second: Simple::Mul, .. } = product.op else {
+            return false;
+        };
+        let added = Value::Reg(product.to);
+        let only = self.program.varying(added) && self.uses[product.to.0 as usize] == 1;
+        let Some(to) = self.direct.get(&sum.to).copied().filter(|_| only) else {
+            return false;
+        };
+        match direct::in_place(sum, to) {
+            Some((ops::InPlace::Add, others)) if others == [added] => {}
+            _ => return false,
+        }
+        let (mut ask, mut s) = self.operands(product);
+        if !ask.varying[0] {
+            s.swap(0, 1);
+            ask.varying.swap(0, 1);
+        }
+        let d = self.place(Value::Reg(to));
+        // As in `chain`.
+        let apart = s.iter().zip(ask.varying).all(|(s, varying)| !varying || *s != d);
+        if !ask.varying[0] || !apart {
+            return false;
+        }
+        self.insts.push(Inst { run: ops::add_products(ask), d, s, n: [0; 3] });
         true
     }
 

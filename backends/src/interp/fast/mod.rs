@@ -86,14 +86,26 @@ impl<const N: usize> Code<N> {
     /// Runs a batch from step `at` until it stops.
     fn run(&self, machine: &mut Machine<N>, at: usize) -> Stop {
         machine.stop = Stop::Done;
-        let mut at = at;
-        while let Some(inst) = self.insts.get(at) {
-            machine.ahead.step();
-            // SAFETY: `link` made the step: its slots and cells are those of a machine of this code, no result
-            // shares a slot with an operand, and the instruction set is one that `Isa` found.
-            at = unsafe { (inst.run)(machine, inst, at) };
+        let mut next = Some(at);
+        // Most batches have asked for all that the next one needs long before their end.
+        while let Some(at) = next
+            && machine.ahead.step()
+        {
+            next = self.step(machine, at);
+        }
+        while let Some(at) = next {
+            next = self.step(machine, at);
         }
         machine.stop
+    }
+
+    /// Runs a step and says which one is next, if there is one.
+    #[inline(always)]
+    fn step(&self, machine: &mut Machine<N>, at: usize) -> Option<usize> {
+        let inst = self.insts.get(at)?;
+        // SAFETY: `link` made the step: its slots and cells are those of a machine of this code, no result
+        // shares a slot with an operand, and the instruction set is one that `Isa` found.
+        Some(unsafe { (inst.run)(machine, inst, at) })
     }
 
     fn name(&self, function: u32) -> String {

@@ -2,7 +2,7 @@
 
 use super::super::super::error::Res;
 use super::super::super::passes::Owner;
-use super::super::super::program::{Block, Label, Scalar, Value};
+use super::super::super::program::{Block, Label, Op, Scalar, Stmt, Value};
 use super::super::control::{Clear, Jump, JumpIf, Round, SkipEmpty, Split};
 use super::super::shape::Ask;
 use super::super::{Inst, ops};
@@ -55,7 +55,7 @@ impl<const N: usize> Linker<'_, N> {
 
     fn copy_mask(&mut self, to: u32, from: u32) {
         let ask = Ask { isa: self.isa, varying: [true, false, false, false] };
-        let op = super::super::super::program::Op::Copy(Scalar::Bool);
+        let op = Op::Copy(Scalar::Bool);
         if let Some(run) = ops::find::<N>(op, ask).flatten() {
             self.insts.push(Inst { run, d: to, s: [from, 0, 0, 0], n: [0; 3] });
         }
@@ -76,6 +76,38 @@ impl<const N: usize> Linker<'_, N> {
         } else {
             self.push::<JumpIf<false>>(0, s, [0; 3]);
         }
+        self.arms(accept, reject, mask, arrays)
+    }
+
+    /// Links a comparison and the branch that nothing but its result decides as one step, if there is one for the two.
+    pub(super) fn compare_and_choose(&mut self, block: &[Stmt], mask: Mask, arrays: &[u32]) -> Res<bool> {
+        let [Stmt::Eval(eval), Stmt::If { condition, accept, reject }, ..] = block else {
+            return Ok(false);
+        };
+        let only = *condition == Value::Reg(eval.to) && self.uses[eval.to.0 as usize] == 1;
+        let Op::Compare(scalar, comparison) = eval.op else {
+            return Ok(false);
+        };
+        if !only || self.program.varying(*condition) {
+            return Ok(false);
+        }
+        let found = if accept.is_empty() {
+            ops::jump::<true, N>(scalar, comparison)
+        } else {
+            ops::jump::<false, N>(scalar, comparison)
+        };
+        let Some(run) = found else {
+            return Ok(false);
+        };
+        let s = [self.place(eval.args[0]), self.place(eval.args[1]), 0, 0];
+        self.insts.push(Inst { run, d: 0, s, n: [0; 3] });
+        self.arms(accept, reject, mask, arrays)?;
+        Ok(true)
+    }
+
+    /// The arms of a branch, of which the last step jumps over the first, or over the second where the first is
+    /// empty.
+    fn arms(&mut self, accept: &Block, reject: &Block, mask: Mask, arrays: &[u32]) -> Res<()> {
         let mut over = self.insts.len() - 1;
         let inner = self.inner(false, mask);
         self.block(accept, inner, arrays)?;

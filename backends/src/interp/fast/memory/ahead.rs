@@ -25,11 +25,13 @@ impl Ahead {
 
     /// Asks for a line, if one is left.
     #[inline(always)]
-    pub(in super::super) fn step(&mut self) {
-        if self.0.start < self.0.end {
+    pub(in super::super) fn step(&mut self) -> bool {
+        let left = self.0.start < self.0.end;
+        if left {
             ask(self.0.start);
             self.0.start = self.0.start.wrapping_add(LINE);
         }
+        left
     }
 }
 
@@ -67,7 +69,7 @@ pub(in super::super) fn ahead<const N: usize>(m: &Machine<N>) -> Ahead {
         let lines = bytes(Elements::of(m, *array), first..first + N);
         if N * stride <= FEW {
             let mut few = Ahead(lines);
-            (0..=N * stride / LINE).for_each(|_| few.step());
+            while few.step() {}
         } else if stride > largest {
             (next, largest) = (Ahead(lines), stride);
         }

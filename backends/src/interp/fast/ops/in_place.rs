@@ -38,6 +38,9 @@ struct Update<F, S>(PhantomData<(F, S)>);
 /// `d` = `d` F (`s[0]` * `s[1]`), rounded twice.
 struct UpdateByProduct<F, S>(PhantomData<(F, S)>);
 
+/// `d` = `d` + (`s[0]` * `s[1]`) * `s[2]`, rounded each time.
+struct AddProducts<S, T>(PhantomData<(S, T)>);
+
 impl<F: Fn2<A = f32, B = f32, R = f32>, S: Source, const N: usize> Body<N> for Update<F, S> {
     #[inline(always)]
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
@@ -63,6 +66,22 @@ impl<F: Fn2<A = f32, B = f32, R = f32>, S: Source, const N: usize> Body<N> for U
             let d: &mut [f32; N] = target(m, i.d);
             for lane in 0..N {
                 d[lane] = F::eval(d[lane], a[lane] * S::get(b, lane));
+            }
+        }
+        at + 1
+    }
+}
+
+impl<S: Source, T: Source, const N: usize> Body<N> for AddProducts<S, T> {
+    #[inline(always)]
+    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
+        // SAFETY: as `Body` promises.
+        unsafe {
+            let a: &[f32; N] = Each::hold(m, i.s[0]);
+            let (b, c) = (S::hold::<f32, N>(m, i.s[1]), T::hold::<f32, N>(m, i.s[2]));
+            let d: &mut [f32; N] = target(m, i.d);
+            for lane in 0..N {
+                d[lane] += a[lane] * S::get(b, lane) * T::get(c, lane);
             }
         }
         at + 1
@@ -107,5 +126,15 @@ fn by_product<F: Fn2<A = f32, B = f32, R = f32>, const N: usize>(Ask { isa, vary
         exec::<UpdateByProduct<F, Each>, N>(isa)
     } else {
         exec::<UpdateByProduct<F, Same>, N>(isa)
+    }
+}
+
+/// Adds products of three to a slot, the first of which is a slot.
+pub(in super::super) fn add_products<const N: usize>(Ask { isa, varying }: Ask) -> Exec<N> {
+    match (varying[1], varying[2]) {
+        (true, true) => exec::<AddProducts<Each, Each>, N>(isa),
+        (true, false) => exec::<AddProducts<Each, Same>, N>(isa),
+        (false, true) => exec::<AddProducts<Same, Each>, N>(isa),
+        (false, false) => exec::<AddProducts<Same, Same>, N>(isa),
     }
 }

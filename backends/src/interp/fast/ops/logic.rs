@@ -2,7 +2,9 @@
 
 use super::super::super::program::Scalar;
 use super::super::super::program::op::{Comparison, LogicOp};
-use super::super::shape::{Ask, Found, one, three, two, two_alike, two_commuting};
+use super::super::Isa;
+use super::super::control::JumpWhere;
+use super::super::shape::{Ask, Exec, Found, exec, one, three, two, two_alike, two_commuting};
 use super::{functions, mask};
 
 functions! {
@@ -69,6 +71,29 @@ pub(super) fn compare<const N: usize>(scalar: Scalar, comparison: Comparison, as
         (S::F64, C::Less) => two_alike::<LessF64, N>(ask),
         (S::F64, C::LessEqual) => two_alike::<LessEqualF64, N>(ask),
     }
+}
+
+/// The step that jumps where a comparison of cells is `WHEN`, if there is one.
+pub(in super::super) fn jump<const WHEN: bool, const N: usize>(
+    scalar: Scalar,
+    comparison: Comparison,
+) -> Option<Exec<N>> {
+    use Comparison as C;
+    use Scalar as S;
+    let run = match (scalar, comparison) {
+        (S::F32, C::Equal) => exec::<JumpWhere<EqualF, WHEN>, N>,
+        (S::F32, C::NotEqual) => exec::<JumpWhere<NotEqualF, WHEN>, N>,
+        (S::F32, C::Less) => exec::<JumpWhere<LessF, WHEN>, N>,
+        (S::F32, C::LessEqual) => exec::<JumpWhere<LessEqualF, WHEN>, N>,
+        (S::I32 | S::U32, C::Equal) => exec::<JumpWhere<EqualU, WHEN>, N>,
+        (S::I32 | S::U32, C::NotEqual) => exec::<JumpWhere<NotEqualU, WHEN>, N>,
+        (S::I32, C::Less) => exec::<JumpWhere<LessI, WHEN>, N>,
+        (S::I32, C::LessEqual) => exec::<JumpWhere<LessEqualI, WHEN>, N>,
+        (S::U32, C::Less) => exec::<JumpWhere<LessU, WHEN>, N>,
+        (S::U32, C::LessEqual) => exec::<JumpWhere<LessEqualU, WHEN>, N>,
+        (S::Bool | S::I16 | S::U16 | S::F16 | S::I64 | S::U64 | S::F64, _) => return None,
+    };
+    Some(run(Isa::Portable))
 }
 
 pub(super) fn find<const N: usize>(op: LogicOp, ask: Ask) -> Found<N> {

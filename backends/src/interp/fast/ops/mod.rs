@@ -17,7 +17,8 @@ use super::super::program::{Op, Scalar};
 use super::shape::{Ask, Exec, Found};
 
 pub(super) use chain::{chained, find as find_chain};
-pub(super) use in_place::{InPlace, in_place, update};
+pub(super) use in_place::{InPlace, add_products, in_place, update};
+pub(super) use logic::jump;
 
 /// Declares functions of numbers: the type, its arguments and the expression.
 macro_rules! functions {
