@@ -89,7 +89,14 @@ fn every_kind_of_binding_arrives() {
         at(0, 1, BindingKind::StorageReadWrite, &scaled),
     ];
     for shader in [Shader::Wgsl(wgsl), Shader::Spirv(&spirv(wgsl))] {
-        let job = Job { shader, entry: "main", workgroup_size: [1; 3], groups: [1; 3], bindings: &bindings };
+        let job = Job {
+            shader,
+            entry: "main",
+            workgroup_size: [1; 3],
+            groups: [1; 3],
+            bindings: &bindings,
+            immediates: &[],
+        };
         let outputs: Vec<_> = gpu.run(&job).expect("runs").iter().map(|b| floats(b)).collect();
         // In the order of the bindings, group 1 left out.
         assert_eq!(outputs, [vec![117.5], vec![1.5, 2.0, 6.0, 8.0]]);

@@ -171,6 +171,7 @@ fn run(gpu: &mut Gpu, entry: &str, shader: Shader<'_>, bound: &[Bound]) -> Vec<V
         workgroup_size: [SIZE as u32, 1, 1],
         groups: [GROUPS, 1, 1],
         bindings: &bindings,
+        immediates: &[],
     };
     gpu.run(&job).unwrap_or_else(|e| panic!("{entry}: {e}")).iter().map(|b| words(b)).collect()
 }

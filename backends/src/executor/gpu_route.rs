@@ -70,6 +70,7 @@ impl GpuRoute {
             workgroup_size: [layout.workgroup_size, 1, 1],
             groups: [(args.rows as u32).div_ceil(layout.workgroup_size), 1, 1],
             bindings: &bindings,
+            immediates: &[],
         });
         let outputs = outputs.map_err(|cause| ExecError::Gpu { kernel: kernel.name(), cause })?;
         let bytes = outputs.first().map_or(&[][..], Vec::as_slice);

@@ -12,6 +12,7 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
     check_groups(driver, limits, job.groups)?;
     let places = check_places(limits, job.bindings)?;
     check_count(driver, limits, job)?;
+    check_immediates(driver, limits, job.immediates)?;
     job.bindings.iter().try_for_each(|binding| check_binding(driver, limits, binding))?;
     match job.shader {
         Shader::Wgsl(_) => Ok(()),
@@ -109,6 +110,17 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
     Ok(())
 }
 
+fn check_immediates(driver: &str, limits: &wgpu::Limits, bytes: &[u8]) -> Result<(), GpuError> {
+    let limit = limits.max_immediate_size as usize;
+    if bytes.len() > limit {
+        return bad(format!("{} bytes of immediates are more than the {limit} of {driver}", bytes.len()));
+    }
+    if !bytes.len().is_multiple_of(4) {
+        return bad(format!("{} bytes of immediates are no multiple of 4", bytes.len()));
+    }
+    Ok(())
+}
+
 fn check_binding(driver: &str, limits: &wgpu::Limits, binding: &Binding) -> Result<(), GpuError> {
     match binding.kind {
         BindingKind::Uniform => check_buffer(driver, limits, binding, limits.max_uniform_buffer_binding_size),
@@ -191,7 +203,7 @@ mod tests {
     use super::*;
 
     fn job<'a>(workgroup_size: [u32; 3], groups: [u32; 3], bindings: &'a [Binding<'a>]) -> Job<'a> {
-        Job { shader: Shader::Wgsl(""), entry: "main", workgroup_size, groups, bindings }
+        Job { shader: Shader::Wgsl(""), entry: "main", workgroup_size, groups, bindings, immediates: &[] }
     }
 
     fn storage(group: u32, binding: u32, data: &[u8]) -> Binding<'_> {
@@ -221,6 +233,15 @@ mod tests {
             &job([1; 3], [1, 65_536, 1], &[]),
             "some-driver: [1, 65536, 1] workgroups are more than the 65535",
         );
+    }
+
+    #[test]
+    fn immediates_that_no_device_takes() {
+        let with = |immediates| Job { immediates, ..job([1; 3], [1; 3], &[]) };
+        refused(&with(&[0; 4]), "4 bytes of immediates are more than the 0 of some-driver");
+        let limits = wgpu::Limits { max_immediate_size: 8, ..Default::default() };
+        assert_eq!(check("d", &limits, &with(&[0; 8])), Ok(()));
+        assert!(check("d", &limits, &with(&[0; 6])).is_err());
     }
 
     #[test]

@@ -17,6 +17,7 @@ pub(super) const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
     .union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX)
     .union(wgpu::Features::SHADER_INT64_ATOMIC_ALL_OPS)
     .union(wgpu::Features::SHADER_FLOAT32_ATOMIC)
+    .union(wgpu::Features::IMMEDIATES)
     .union(wgpu::Features::SUBGROUP)
     .union(wgpu::Features::SUBGROUP_BARRIER)
     .union(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES)
@@ -164,6 +165,9 @@ impl Device {
                 if let Some(layout) = layout {
                     pass.set_bind_group(group, &self.bind_group(group, layout, bindings, job), &[]);
                 }
+            }
+            if !job.immediates.is_empty() {
+                pass.set_immediates(0, job.immediates);
             }
             let [x, y, z] = job.groups;
             pass.dispatch_workgroups(x, y, z);

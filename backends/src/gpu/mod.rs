@@ -14,6 +14,7 @@
 //!     workgroup_size: [2, 1, 1],
 //!     groups: [1, 1, 1],
 //!     bindings: &[Binding { group: 0, binding: 0, kind: BindingKind::StorageReadWrite, data: &input }],
+//!     immediates: &[],
 //! })?;
 //! assert_eq!(outputs[0], [2.0f32, 4.0].map(f32::to_le_bytes).concat());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -118,4 +119,6 @@ pub struct Job<'a> {
     pub groups: [u32; 3],
     /// Everything that the shader uses.
     pub bindings: &'a [Binding<'a>],
+    /// The bytes of its immediates (push constants); none if it has no such variable.
+    pub immediates: &'a [u8],
 }

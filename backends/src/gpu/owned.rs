@@ -32,6 +32,7 @@ pub(super) struct OwnedJob {
     workgroup_size: [u32; 3],
     groups: [u32; 3],
     bindings: Vec<OwnedBinding>,
+    immediates: Vec<u8>,
 }
 
 struct OwnedBinding {
@@ -59,6 +60,7 @@ impl OwnedJob {
             workgroup_size: job.workgroup_size,
             groups: job.groups,
             bindings: job.bindings.iter().map(OwnedBinding::of).collect(),
+            immediates: job.immediates.to_vec(),
         }
     }
 
@@ -71,6 +73,7 @@ impl OwnedJob {
             workgroup_size: self.workgroup_size,
             groups: self.groups,
             bindings: &bindings,
+            immediates: &self.immediates,
         })
     }
 }

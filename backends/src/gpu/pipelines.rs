@@ -20,6 +20,7 @@ pub(super) struct Key {
     entry: String,
     workgroup_size: [u32; 3],
     places: Vec<(u32, u32, wgpu::BindingType)>,
+    immediate_size: u32,
 }
 
 /// A pipeline with the layout of each of its groups; `None` where a group's number is skipped.
@@ -34,7 +35,8 @@ impl Key {
         let shader = OwnedShader::of(job.shader);
         let places =
             job.bindings.iter().map(|b| (b.group, b.binding, binding_type(b.kind, features))).collect();
-        Self { shader, entry: job.entry.to_owned(), workgroup_size: job.workgroup_size, places }
+        let (entry, workgroup_size) = (job.entry.to_owned(), job.workgroup_size);
+        Self { shader, entry, workgroup_size, places, immediate_size: job.immediates.len() as u32 }
     }
 }
 
@@ -57,7 +59,7 @@ pub(super) fn build(device: &wgpu::Device, job: &Job) -> Pipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
         bind_group_layouts: &groups.iter().map(Option::as_ref).collect::<Vec<_>>(),
-        immediate_size: 0,
+        immediate_size: job.immediates.len() as u32,
     });
     let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: None,
@@ -150,8 +152,9 @@ mod tests {
     fn only_passed_through_shaders_have_their_gaps_filled() {
         let at = |group, binding| Binding { group, binding, kind: BindingKind::StorageRead, data: &[] };
         let bindings = [at(0, 4), at(0, 1), at(1, 0)];
+        let (workgroup_size, groups) = ([1; 3], [1; 3]);
         let job =
-            |shader| Job { shader, entry: "", workgroup_size: [1; 3], groups: [1; 3], bindings: &bindings };
+            |shader| Job { shader, entry: "", workgroup_size, groups, bindings: &bindings, immediates: &[] };
         assert_eq!(fillers(&job(Shader::Spirv(&[])), 0), [0, 2, 3]);
         assert!(fillers(&job(Shader::Spirv(&[])), 1).is_empty());
         assert!(fillers(&job(Shader::Wgsl("")), 0).is_empty());

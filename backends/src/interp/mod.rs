@@ -41,7 +41,7 @@ mod strict;
 mod subgroup;
 mod texture;
 
-pub use buffer::Buffer;
+pub use buffer::{Buffer, IMMEDIATES};
 pub use error::InterpError;
 pub use fast::Isa;
 pub use finding::{Checks, Fault, Finding, Invocation};

@@ -110,7 +110,14 @@ pub(crate) fn bindings<'a>(input: &'a [u8], output: &'a [u8]) -> [Binding<'a>; 2
 pub(crate) fn job<'a>(shader: Shader<'a>, bindings: &'a [Binding<'a>]) -> Job<'a> {
     let items = bindings.first().map_or(0, |binding| binding.data.len() / 4);
     let groups = u32::try_from(items.div_ceil(64)).expect("small");
-    Job { shader, entry: "main", workgroup_size: [64, 1, 1], groups: [groups, 1, 1], bindings }
+    Job {
+        shader,
+        entry: "main",
+        workgroup_size: [64, 1, 1],
+        groups: [groups, 1, 1],
+        bindings,
+        immediates: &[],
+    }
 }
 
 /// `wgsl` as naga reads and validates it.

@@ -103,6 +103,7 @@ impl Operation {
             workgroup_size: [64, 1, 1],
             groups,
             bindings: &bindings,
+            immediates: &[],
         };
         let outputs = gpu.run(&job).unwrap_or_else(|e| panic!("{e}\n{}", self.text()));
         for (row, got) in rows.iter().zip(outputs[0].chunks(width).map(bits_of)) {

@@ -81,7 +81,6 @@ const REFUSALS: &[(&str, &str)] = &[
     ("binding_array.wgsl", "binding arrays"),
     ("cooperative_matrix.wgsl", "cooperative matrices"),
     ("external_texture.wgsl", "external textures"),
-    ("immediate.wgsl", "immediates"),
     ("ray_query.wgsl", "ray queries"),
 ];
 

@@ -120,8 +120,7 @@ sections! {
     }
     array_size: "Lengths of arrays", ArraySize { Constant Runs, Pending Runs, Dynamic Runs }
     space: "Address spaces", AddressSpace {
-        Function Runs, Private Runs, WorkGroup Runs, Uniform Runs, Storage Runs, Handle Runs,
-        Immediate Refused("immediates are not bound yet"),
+        Function Runs, Private Runs, WorkGroup Runs, Uniform Runs, Storage Runs, Handle Runs, Immediate Runs,
         TaskPayload OTHER_STAGE, RayPayload OTHER_STAGE, IncomingRayPayload OTHER_STAGE,
     }
     image_dimension: "Dimensions of textures", ImageDimension { D1 Runs, D2 Runs, D3 Runs, Cube Runs }

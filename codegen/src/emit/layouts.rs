@@ -1,14 +1,15 @@
 //! Layouts of buffers that WGSL has no words for: naga's writer leaves them out.
 
 use super::{EmitError, Target};
-use naga::{Handle, Module, Type, TypeInner};
+use naga::{AddressSpace, Handle, Module, Type, TypeInner};
 
-/// Checks that the buffers of `text`, which was written from `module`, lie in memory as those of `module` do.
+/// Checks that the buffers and immediates of `text`, which was written from `module`, lie in memory as those of `module` do.
 pub(super) fn check(module: &Module, text: &str) -> Result<(), EmitError> {
     let refused = |message| EmitError::Writer { target: Target::Wgsl, message };
     let written = naga::front::wgsl::parse_str(text)
         .map_err(|e| refused(format!("it does not read what it wrote: {}", e.message())))?;
-    for (_, variable) in module.global_variables.iter().filter(|(_, v)| v.binding.is_some()) {
+    let is_laid_out = |v: &naga::GlobalVariable| v.binding.is_some() || v.space == AddressSpace::Immediate;
+    for (_, variable) in module.global_variables.iter().filter(|(_, v)| is_laid_out(v)) {
         let is_twin = |v: &&naga::GlobalVariable| v.binding == variable.binding && v.space == variable.space;
         let twin = written.global_variables.iter().map(|(_, v)| v).find(is_twin);
         if twin.is_none_or(|twin| !is_same((module, variable.ty), (&written, twin.ty))) {

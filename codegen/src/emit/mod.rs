@@ -32,7 +32,7 @@ mod wgsl;
 pub use calls::check_calls;
 pub use clash::ClashError;
 pub use entry::{EntryLayout, with_entries, with_entry};
-pub use plain::{Plain, plain};
+pub use plain::{Plain, immediates_in_hlsl, plain};
 pub use reflect::{Reflection, reflect};
 
 use crate::ValidModule;

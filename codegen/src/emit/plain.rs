@@ -5,6 +5,8 @@
 
 mod hlsl;
 
+pub use hlsl::immediates_place as immediates_in_hlsl;
+
 use super::{Content, EmitError, Target, check_calls, guarded, layouts, spirv};
 use crate::ValidModule;
 use naga::ShaderStage;
@@ -15,7 +17,7 @@ const ENTRY: &str = "lobe_entry";
 
 /// A module written for running.
 ///
-/// In HLSL its uniform buffers are storage buffers that are only read.
+/// In HLSL its uniform buffers are storage buffers that are only read, as are its immediates, at [`immediates_in_hlsl`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Plain {
     /// The text or the words.
@@ -96,19 +98,22 @@ mod tests {
 
     #[test]
     fn a_layout_that_wgsl_has_no_words_for_is_refused() {
-        let wgsl = |packing: &str| {
+        let wgsl = |packing: &str, pushed: &str| {
             let text = format!(
                 "#version 450
                 layout(local_size_x = 1) in;
                 layout({packing}, binding = 0) buffer B {{ float a[4]; }} out_;
-                void main() {{ out_.a[1] = 1.0; }}"
+                layout(push_constant, {pushed}) uniform P {{ float a[4]; }} in_;
+                void main() {{ out_.a[1] = in_.a[2]; }}"
             );
             let (language, name, bytes) = (Language::Glsl, String::new(), text.into_bytes());
             plain(&foreign::read(&Source { name, language, bytes }).unwrap(), Target::Wgsl, "main", [1; 3])
         };
-        assert!(wgsl("std430").is_ok());
-        let refused = wgsl("std140").unwrap_err().to_string();
-        assert!(refused.contains("no words for the memory layout of `out_`"), "{refused}");
+        assert!(wgsl("std430", "std430").is_ok());
+        for (packing, pushed, name) in [("std140", "std430", "out_"), ("std430", "std140", "in_")] {
+            let refused = wgsl(packing, pushed).unwrap_err().to_string();
+            assert!(refused.contains(&format!("no words for the memory layout of `{name}`")), "{refused}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 
 mod barrier;
 mod entry;
+mod glsl;
 mod read;
 mod spirv;
 mod workgroup;

@@ -35,7 +35,10 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
             let mut module =
                 parsed.map_err(|e| refused(source, &e.emit_to_string_with_path(text, &source.name)))?;
             barrier::settle(&mut module);
-            Ok(module)
+            match super::glsl::misread(&module, text) {
+                Some(what) => Err(ForeignError::Unsupported { name: source.name.clone(), what }),
+                None => Ok(module),
+            }
         }
         Language::Spirv => {
             if let Some(what) = spirv::misread(&source.bytes) {

@@ -1,8 +1,9 @@
 //! What a resource holds, for every executor.
 
+use super::resource::place;
 use super::shape::Shape;
 use lobe_backends::gpu::{Access, Binding, BindingKind};
-use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, Resources};
+use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, IMMEDIATES, Resources};
 use lobe_backends::texture::{Texture, TextureError};
 
 /// A resource with its bytes.
@@ -25,10 +26,16 @@ pub struct Given {
 }
 
 impl Given {
-    /// Whether a user means it by `name`, which may be `group:binding`.
+    /// Whether a user means it by `name`, which may be its place.
     #[must_use]
     pub fn is_called(&self, name: &str) -> bool {
-        self.name == name || format!("{}:{}", self.group, self.binding) == name
+        self.name == name || place((self.group, self.binding)) == name
+    }
+
+    /// Whether it is the module's immediates.
+    #[must_use]
+    pub fn is_immediate(&self) -> bool {
+        (self.group, self.binding) == IMMEDIATES
     }
 
     /// Whether the shader may write it.

@@ -2,6 +2,7 @@
 
 use super::shape::{MEMBERS, Shape};
 use lobe_backends::gpu::BindingKind;
+use lobe_backends::interp::IMMEDIATES;
 use lobe_codegen::ValidModule;
 use naga::{AddressSpace, GlobalVariable, ImageClass, ImageDimension, Module, StorageAccess, TypeInner};
 
@@ -10,7 +11,7 @@ use naga::{AddressSpace, GlobalVariable, ImageClass, ImageDimension, Module, Sto
 pub struct Resource {
     /// The variable's name, else its type's, else its place.
     pub name: String,
-    /// Bind group.
+    /// Bind group; of immediates that of [`IMMEDIATES`].
     pub group: u32,
     /// Binding within the group.
     pub binding: u32,
@@ -47,16 +48,32 @@ pub enum What {
 }
 
 impl Resource {
-    /// Its place, as `group:binding`.
+    /// Its place, as `group:binding`, or `immediate`.
     #[must_use]
     pub fn place(&self) -> String {
-        format!("{}:{}", self.group, self.binding)
+        place((self.group, self.binding))
     }
 
     /// Whether a user means it by `name`.
     #[must_use]
     pub fn is_called(&self, name: &str) -> bool {
         self.name == name || self.place() == name
+    }
+}
+
+/// A place as a user writes it.
+pub(super) fn place((group, binding): (u32, u32)) -> String {
+    match (group, binding) {
+        IMMEDIATES => "immediate".to_owned(),
+        _ => format!("{group}:{binding}"),
+    }
+}
+
+/// Group and binding of a variable, if it is a resource.
+fn bound(variable: &GlobalVariable) -> Option<(u32, u32)> {
+    match variable.space {
+        AddressSpace::Immediate => Some(IMMEDIATES),
+        _ => variable.binding.map(|b| (b.group, b.binding)),
     }
 }
 
@@ -75,7 +92,7 @@ pub fn of(module: &ValidModule, entry: usize) -> Result<Vec<Resource>, String> {
 #[must_use]
 pub fn names(module: &Module) -> Vec<(String, String)> {
     let bound = module.global_variables.iter().filter_map(|(_, variable)| {
-        let place = variable.binding.map(|b| format!("{}:{}", b.group, b.binding))?;
+        let place = place(bound(variable)?);
         Some((named(module, variable).unwrap_or_else(|| place.clone()), place))
     });
     bound.collect()
@@ -84,7 +101,7 @@ pub fn names(module: &Module) -> Vec<(String, String)> {
 /// `None` for variables of invocations and workgroups.
 fn resource(module: &Module, variable: &GlobalVariable) -> Result<Option<Resource>, String> {
     let kind = match variable.space {
-        AddressSpace::Uniform | AddressSpace::Handle => BindingKind::Uniform,
+        AddressSpace::Uniform | AddressSpace::Handle | AddressSpace::Immediate => BindingKind::Uniform,
         AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => {
             BindingKind::StorageReadWrite
         }
@@ -94,7 +111,7 @@ fn resource(module: &Module, variable: &GlobalVariable) -> Result<Option<Resourc
             return Err(format!("{}, in the address space {:?}", describe(module, variable), variable.space));
         }
     };
-    let Some(place) = variable.binding else {
+    let Some((group, binding)) = bound(variable) else {
         return Err(format!("{}, a resource without group and binding", describe(module, variable)));
     };
     let what = match module.types[variable.ty].inner {
@@ -113,8 +130,7 @@ fn resource(module: &Module, variable: &GlobalVariable) -> Result<Option<Resourc
             What::Buffer { kind, shape, least: least.next_multiple_of(4).max(4) }
         }
     };
-    let (group, binding) = (place.group, place.binding);
-    let name = named(module, variable).unwrap_or_else(|| format!("{group}:{binding}"));
+    let name = named(module, variable).unwrap_or_else(|| place((group, binding)));
     Ok(Some(Resource { name, group, binding, what }))
 }
 
@@ -124,6 +140,6 @@ fn named(module: &Module, variable: &GlobalVariable) -> Option<String> {
 }
 
 fn describe(module: &Module, variable: &GlobalVariable) -> String {
-    let place = variable.binding.map(|b| format!(" ({}:{})", b.group, b.binding)).unwrap_or_default();
+    let place = bound(variable).map(|at| format!(" ({})", place(at))).unwrap_or_default();
     format!("`{}`{place}", named(module, variable).unwrap_or_else(|| "a variable without name".to_owned()))
 }

@@ -9,7 +9,7 @@ use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
 use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
 use lobe_codegen::ValidModule;
-use lobe_codegen::emit::{Content, EmitError, Plain, Target, check_calls, plain};
+use lobe_codegen::emit::{Content, EmitError, Plain, Target, check_calls, immediates_in_hlsl, plain};
 use lobe_codegen::foreign::{Language, Source};
 use lobe_codegen::validate;
 use std::collections::HashMap;
@@ -41,15 +41,22 @@ pub enum ShaderRoute {
 }
 
 impl ShaderRoute {
-    /// A resource as the route's shader has it: its HLSL has no uniform buffers.
-    fn lend<'g>(&self, given: &'g Given) -> Binding<'g> {
-        let binding = given.lend();
-        match (self, binding.kind) {
-            (Self::Gpu { road: Some(Road::HlslDxc), .. }, BindingKind::Uniform) => {
+    /// The resources as the route's shader has them, and its immediates: HLSL has neither uniform buffers nor those.
+    fn lend<'g>(&self, subject: &Subject<'g>) -> (Vec<Binding<'g>>, &'g [u8]) {
+        let is_hlsl = matches!(self, Self::Gpu { road: Some(Road::HlslDxc), .. });
+        let lend = |given: &'g Given| match given.lend() {
+            binding if is_hlsl && given.is_immediate() => {
+                let (group, binding_in_hlsl) = immediates_in_hlsl(subject.module.module());
+                Binding { group, binding: binding_in_hlsl, kind: BindingKind::StorageRead, ..binding }
+            }
+            binding if is_hlsl && binding.kind == BindingKind::Uniform => {
                 Binding { kind: BindingKind::StorageRead, ..binding }
             }
-            _ => binding,
-        }
+            binding => binding,
+        };
+        let bound = subject.given.iter().filter(|given| is_hlsl || !given.is_immediate());
+        let immediates = subject.given.iter().find(|given| !is_hlsl && given.is_immediate());
+        (bound.map(lend).collect(), immediates.map_or(&[], |given| &given.data))
     }
 }
 
@@ -189,7 +196,7 @@ impl Routes {
             Content::Text(text) => Shader::Wgsl(text),
             Content::Words(words) => Shader::Spirv(words),
         };
-        let bindings: Vec<Binding<'_>> = subject.given.iter().map(|given| route.lend(given)).collect();
+        let (bindings, immediates) = route.lend(subject);
         let gpu = self.open(driver)?;
         gpu.set_timeout(timeout);
         let job = Job {
@@ -198,6 +205,7 @@ impl Routes {
             workgroup_size: subject.workgroup_size,
             groups: subject.workgroups,
             bindings: &bindings,
+            immediates,
         };
         gpu.run(&job).map_err(|e| Failure::of_gpu(&e))
     }
@@ -228,6 +236,7 @@ impl Routes {
                 workgroup_size: [64, 1, 1],
                 groups: [1; 3],
                 bindings: &bindings,
+                immediates: &[],
             };
             let found = gpu.run(&job).ok()?;
             found.first()?.first_chunk().map(|bytes| u32::from_le_bytes(*bytes))

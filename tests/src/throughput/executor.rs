@@ -170,6 +170,7 @@ impl<'w> Subject<'w> {
             workgroup_size: [SIZE, 1, 1],
             groups: self.groups(),
             bindings: &bindings,
+            immediates: &[],
         };
         let timed = gpu.time(&job, DISPATCHES);
         let mut times = timed.map_err(|cause| BenchError::Gpu {

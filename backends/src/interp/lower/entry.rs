@@ -1,5 +1,6 @@
 //! Where programs begin: parameters and shared memory.
 
+use super::super::buffer::IMMEDIATES;
 use super::super::error::{InterpError, Res};
 use super::super::program::op::Input;
 use super::super::program::{Buffer, Op, Scalar, Value};
@@ -97,7 +98,7 @@ impl<'m> Lowerer<'m> {
                 let unit = self.workgroup_unit(shape)?;
                 (None, self.types().count(shape)? * unit, true)
             }
-            AddressSpace::Uniform | AddressSpace::Storage { .. } => {
+            AddressSpace::Uniform | AddressSpace::Storage { .. } | AddressSpace::Immediate => {
                 let context = self.module.module().to_ctx();
                 let inner = self.types().inner(variable.ty);
                 let bytes = inner.try_size(context).unwrap_or(0);
@@ -105,11 +106,9 @@ impl<'m> Lowerer<'m> {
                     AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
                     _ => false,
                 };
-                (variable.binding.map(|b| (b.group, b.binding)), bytes, writable)
-            }
-            AddressSpace::Immediate => {
-                let (what, name) = ("immediates".to_owned(), variable.name.clone());
-                return Err(InterpError::Unsupported { what, function: name.unwrap_or_default(), at: None });
+                let is_immediate = variable.space == AddressSpace::Immediate;
+                let place = variable.binding.map(|b| (b.group, b.binding));
+                (place.or(is_immediate.then_some(IMMEDIATES)), bytes, writable)
             }
             AddressSpace::Function
             | AddressSpace::Private

@@ -22,7 +22,7 @@ pub(super) struct JobArgs {
     /// Workgroups along each axis [default: 1,1,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
     workgroups: Option<[u32; 3]>,
-    /// What a buffer or texture holds: NAME (or GROUP:BINDING) = FILE, zeros or random:SEED
+    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`) = FILE, zeros or random:SEED
     #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED", value_parser = named::<Feed>)]
     inputs: Vec<(String, Feed)>,
     /// Write what the interpreter leaves in a buffer to FILE, as bytes or as .json

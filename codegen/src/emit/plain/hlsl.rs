@@ -4,7 +4,7 @@ use crate::ValidModule;
 use crate::emit::{EmitError, Target, hlsl};
 use crate::validate::{self, ValidateError};
 use naga::back::hlsl::{BindTarget, Options};
-use naga::{AddressSpace, StorageAccess};
+use naga::{AddressSpace, ResourceBinding, StorageAccess};
 
 /// A space that no other resource is in.
 const SPACE: u8 = 254;
@@ -25,12 +25,24 @@ pub(super) fn write(module: &ValidModule, workgroups: [u32; 3]) -> Result<(Strin
     Ok((lines.fold(String::new(), |text, line| text + &line + "\n"), names))
 }
 
-/// Uniform buffers become storage buffers that are only read: naga pads the structures of constant buffers for D3D's
+/// Group and binding of the buffer that a module's immediates are in HLSL: the first that is free behind those of
+/// group 0.
+#[must_use]
+pub fn immediates_place(module: &naga::Module) -> (u32, u32) {
+    let places = module.global_variables.iter().filter_map(|(_, variable)| variable.binding);
+    (0, places.filter(|place| place.group == 0).map(|place| place.binding + 1).max().unwrap_or(0))
+}
+
+/// Uniform buffers and immediates become storage buffers that are only read: naga pads the structures of constant buffers for D3D's
 /// packing, and DXC lays them out by Vulkan's.
 fn without_uniforms(module: &ValidModule) -> Result<ValidModule, EmitError> {
     let mut module = module.module().clone();
+    let (group, binding) = immediates_place(&module);
     for (_, variable) in module.global_variables.iter_mut() {
-        if variable.space == AddressSpace::Uniform {
+        if variable.space == AddressSpace::Immediate {
+            variable.binding = Some(ResourceBinding { group, binding });
+        }
+        if matches!(variable.space, AddressSpace::Uniform | AddressSpace::Immediate) {
             variable.space = AddressSpace::Storage { access: StorageAccess::LOAD };
         }
     }
@@ -154,6 +166,16 @@ mod tests {
         ];
         assert_eq!(lines(text, "State "), wanted);
         assert_eq!(lines(text, "naga"), Vec::<String>::new());
+    }
+
+    #[test]
+    fn immediates_are_a_buffer_behind_the_others() {
+        let text = "
+            var<immediate> pushed: u32;
+            @group(0) @binding(3) var<storage, read_write> out: u32;
+            @group(1) @binding(7) var<uniform> other: u32;
+            @compute @workgroup_size(1) fn main() { out = pushed + other; }";
+        assert_eq!(lines(text, "pushed :"), ["ByteAddressBuffer pushed : register(t4);"]);
     }
 
     #[test]
