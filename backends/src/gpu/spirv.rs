@@ -1,7 +1,7 @@
 //! Reads just enough of a SPIR-V module to keep nonsense away from drivers.
 //!
 //! A driver may crash on words that are no SPIR-V, or on an entry point that does not exist, for Vulkan leaves both
-//! undefined. This is no validator: it follows the instruction lengths and looks at two instructions.
+//! undefined. This is no validator: it follows the instruction lengths and looks at a few instructions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,6 +10,7 @@ const HEADER_WORDS: usize = 5;
 
 const OP_ENTRY_POINT: u32 = 15;
 const OP_EXECUTION_MODE: u32 = 16;
+const OP_FUNCTION: u32 = 54;
 const OP_DECORATE: u32 = 71;
 const GL_COMPUTE: u32 = 5;
 const LOCAL_SIZE: u32 = 17;
@@ -17,7 +18,7 @@ const BINDING: u32 = 33;
 const DESCRIPTOR_SET: u32 = 34;
 
 /// Checks that `words` hold the compute entry point `entry`; where its workgroup size is a literal, that it is
-/// `workgroup_size`; and where it is the only entry point, that every buffer is in `bound` (group and binding).
+/// `workgroup_size`; and where it is the only entry point, that every buffer that its functions name is in `bound` (group and binding).
 pub(super) fn check(
     words: &[u32],
     entry: &str,
@@ -52,13 +53,22 @@ struct Declarations {
     local_sizes: BTreeMap<u32, [u32; 3]>,
     groups: BTreeMap<u32, u32>,
     bindings: BTreeMap<u32, u32>,
+    /// The words of functions, those that are ids among them.
+    named: BTreeSet<u32>,
 }
 
 impl Declarations {
     fn read(words: &[u32]) -> Result<Self, String> {
         let mut module = Self::default();
+        let mut is_declared = false;
         for instruction in Instructions::of(words) {
-            match instruction? {
+            let (opcode, operands) = instruction?;
+            is_declared |= opcode == OP_FUNCTION;
+            if is_declared {
+                module.named.extend(operands);
+                continue;
+            }
+            match (opcode, operands) {
                 (OP_ENTRY_POINT, [GL_COMPUTE, id, name @ ..]) => {
                     module.entry_points.push((*id, literal_string(name)));
                 }
@@ -88,9 +98,10 @@ impl Declarations {
         })
     }
 
-    /// Group and binding of every buffer.
+    /// Group and binding of every buffer that a function names.
     fn places(&self) -> impl Iterator<Item = (u32, u32)> {
-        self.groups.iter().filter_map(|(id, &group)| Some((group, *self.bindings.get(id)?)))
+        let used = self.groups.iter().filter(|(id, _)| self.named.contains(id));
+        used.filter_map(|(id, &group)| Some((group, *self.bindings.get(id)?)))
     }
 }
 
@@ -145,15 +156,19 @@ fn literal_string(words: &[u32]) -> String {
 mod tests {
     use super::*;
 
-    /// Header, entry point `main` (id 7), LocalSize 64 1 1, a buffer (id 3) at group 1, binding 2.
+    /// Header, entry point `main` (id 7), LocalSize 64 1 1, a buffer (id 3) at group 1, binding 2, which `main` names.
     #[rustfmt::skip]
-    const MODULE: [u32; 24] = [
+    const MODULE: [u32; 33] = [
         MAGIC, 0x0001_0300, 0, 8, 0,
         (5 << 16) | OP_ENTRY_POINT, GL_COMPUTE, 7, u32::from_le_bytes(*b"main"), 0,
         (6 << 16) | OP_EXECUTION_MODE, 7, LOCAL_SIZE, 64, 1, 1,
         (4 << 16) | OP_DECORATE, 3, DESCRIPTOR_SET, 1,
         (4 << 16) | OP_DECORATE, 3, BINDING, 2,
+        (5 << 16) | OP_FUNCTION, 1, 7, 0, 2,
+        (4 << 16) | OP_LOAD, 4, 5, 3,
     ];
+
+    const OP_LOAD: u32 = 61;
 
     const SIZE: [u32; 3] = [64, 1, 1];
 
@@ -191,5 +206,7 @@ mod tests {
     fn every_buffer_must_be_bound() {
         let message = check(&MODULE, "main", SIZE, &BTreeSet::from([(2, 1)])).expect_err("should be refused");
         assert!(message.contains("uses group 1, binding 2"), "{message}");
+        let unnamed = &MODULE[..MODULE.len() - 4];
+        assert_eq!(check(unnamed, "main", SIZE, &BTreeSet::from([(2, 1)])), Ok(()));
     }
 }

@@ -31,8 +31,7 @@ impl<'m> Lowerer<'m> {
             return Ok(frame.arguments.get(index as usize).cloned());
         }
         if let Expression::GlobalVariable(variable) = *expression {
-            let in_entry = matches!(self.entry(), Some(Scope::Entry(_)));
-            return self.global_variable(variable, in_entry);
+            return self.global_variable(variable);
         }
         if let Expression::LocalVariable(_) = expression {
             return Ok(None);
@@ -183,16 +182,13 @@ impl<'m> Lowerer<'m> {
         Ok(())
     }
 
-    /// What a global variable is: a place, or nothing that may be used here.
-    fn global_variable(
-        &mut self,
-        variable: Handle<naga::GlobalVariable>,
-        in_entry: bool,
-    ) -> Res<Option<Item>> {
+    /// What a global variable is: a place, or nothing that may be used here, or that nothing uses.
+    fn global_variable(&mut self, variable: Handle<naga::GlobalVariable>) -> Res<Option<Item>> {
         if let Some(pointer) = self.globals[variable.index()] {
             return Ok(Some(Item::Pointer(pointer)));
         }
-        if !in_entry {
+        let Some(Scope::Entry(entry)) = self.entry() else { return Ok(None) };
+        if self.module.info().get_entry_point(entry)[variable].is_empty() {
             return Ok(None);
         }
         if let Some(item) = self.texture_variable(variable)? {
