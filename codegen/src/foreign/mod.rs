@@ -3,6 +3,7 @@
 //! Nothing here trusts its input: what naga refuses, and what makes it panic, is an error that names the file.
 
 mod barrier;
+mod component;
 mod entry;
 mod glsl;
 mod read;

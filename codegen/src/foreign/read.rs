@@ -1,6 +1,6 @@
 //! Bytes to modules.
 
-use super::{ForeignError, Language, Source, barrier, guarded, spirv};
+use super::{ForeignError, Language, Source, barrier, component, guarded, spirv};
 use crate::ValidModule;
 use crate::directives;
 use crate::validate::{self, ValidateError};
@@ -47,7 +47,9 @@ fn parse(source: &Source) -> Result<naga::Module, ForeignError> {
             let options = spv::Options { adjust_coordinate_space: false, ..spv::Options::default() };
             let parsed =
                 guarded(source, "SPIR-V front end", || spv::parse_u8_slice(&source.bytes, &options))?;
-            parsed.map_err(|e| refused(source, &e.to_string()))
+            let mut module = parsed.map_err(|e| refused(source, &e.to_string()))?;
+            component::settle(&mut module);
+            Ok(module)
         }
     }
 }
