@@ -10,6 +10,7 @@
 
 use super::formula;
 use super::program::Scalar;
+use naga::SubgroupOperation;
 
 /// Which of two operands' values and exact values a join takes: `true` for the first one.
 #[derive(Debug, Clone, Copy)]
@@ -40,6 +41,11 @@ macro_rules! operations {
             fn exact(&self, a: Self::F) -> f64;
             /// The float `a`, of which the exact value is `truth`.
             fn with_truth(&self, a: Self::F, truth: f64) -> Self::F;
+            /// What drivers may make of `all` numbers, in whatever order; `strict` is what the interpreter does.
+            fn collected(&self, op: SubgroupOperation, all: &[Self::F], strict: Self::F) -> Self::F {
+                let _ = (op, all);
+                strict
+            }
             fn join_f(&self, a: Self::F, b: Self::F, pick: Pick) -> Self::F;
 
             fn word(&self, value: u64) -> Self::W;

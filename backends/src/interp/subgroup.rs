@@ -27,17 +27,18 @@ pub(crate) fn exchange(op: SubgroupOp, scalar: Scalar, lanes: &[Option<Brought>]
             vec![words.map(bit).sum(); lanes.len()]
         }
         SubgroupOp::Gather(gather) => {
-            (0..lanes.len()).map(|at| partner(gather, at, lanes).map_or(0, |l| l.value)).collect()
+            let value = |from: usize| lanes[from].map_or(0, |brought| brought.value);
+            (0..lanes.len()).map(|at| partner(gather, at, lanes).map_or(0, value)).collect()
         }
         SubgroupOp::Collect(op, how) => collect(op, how, scalar, lanes),
     }
 }
 
-/// What lane `at` gathers, if there is an active lane to gather from.
-pub(crate) fn partner(gather: Gather, at: usize, lanes: &[Option<Brought>]) -> Option<Brought> {
+/// The active lane that lane `at` gathers from, if there is one.
+pub(crate) fn partner(gather: Gather, at: usize, lanes: &[Option<Brought>]) -> Option<usize> {
     let index = lanes[at].map_or(0, |lane| lane.index);
     let from = source(gather, at as u64, index, lanes).and_then(|from| usize::try_from(from).ok())?;
-    lanes.get(from).copied().flatten()
+    lanes.get(from).is_some_and(Option::is_some).then_some(from)
 }
 
 /// The lane that lane `at` gathers from.

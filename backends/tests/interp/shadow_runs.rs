@@ -2,14 +2,14 @@
 
 use crate::chance;
 use crate::dispatch::{buffer, words};
-use crate::support::{Chance, module};
+use crate::support::{Chance, foreign};
 use lobe_backends::interp::{Buffer, Interpreter, ShadowWord};
 
 const DRIVERS: u64 = 12;
 
 /// The words that a program may leave; those of `run` and of chance drivers are among them.
 fn shadow(text: &str, groups: u32, buffers: &[Buffer]) -> Vec<Vec<ShadowWord>> {
-    let module = module(text);
+    let module = foreign(text);
     let interpreter = Interpreter::new(&module).unwrap();
     let shadow = interpreter.shadow_run(0, [groups, 1, 1], &mut buffers.to_vec()).unwrap();
     for driver in 0..=DRIVERS {
@@ -145,7 +145,7 @@ fn what_depends_on_the_order_of_invocations_is_not_known() {
 
 #[test]
 fn an_endless_loop_makes_what_may_be_written_unknown() {
-    let module = module(&entry("if i == 0u { loop { if a[0] > 1.0 { break; } } b[0] = 1.0; }"));
+    let module = foreign(&entry("if i == 0u { loop { if a[0] > 1.0 { break; } } b[0] = 1.0; }"));
     let mut buffers = [buffer(0, &[0; 8]), buffer(1, &[0; 8]), buffer(2, &[0; 8])];
     let interpreter = Interpreter::new(&module).unwrap().with_fuel(1000);
     let left = interpreter.shadow_run(0, [1, 1, 1], &mut buffers).unwrap();
@@ -173,4 +173,50 @@ fn chance_programs_run_as_entry_points() {
 fn few(chance: &mut Chance) -> Vec<u32> {
     const FEW: [f32; 6] = [0.5, 1.0, 1.1, 2.0, 2.2, 3.0];
     (0..16).map(|_| FEW[chance.below(6)].to_bits()).collect()
+}
+
+#[test]
+fn what_is_gathered_has_the_bound_of_where_it_comes_from() {
+    let (b, _) = run("let x = exp(a[i]); b[i] = subgroupShuffleXor(x, 1u);");
+    let (plain, _) = run("b[i] = exp(a[i]);");
+    for at in 0..8 {
+        assert_eq!(bound(&b[at]), bound(&plain[at ^ 1]), "{at}");
+    }
+}
+
+#[test]
+fn sums_of_subgroups_are_bounded_in_every_order() {
+    for body in [
+        "b[i] = subgroupAdd(exp(a[i]));",
+        "b[i] = subgroupMul(a[i]);",
+        "b[i] = subgroupInclusiveAdd(a[i]);",
+        "b[i] = subgroupMax(exp(a[i]));",
+        "if (l & 1u) == 0u { b[i] = subgroupAdd(a[i]); } else { b[i] = subgroupMul(a[i]); }",
+    ] {
+        let (b, _) = run(body);
+        assert!(b.iter().all(|w| bound(w) > 0.0 && bound(w) < 1e-2), "{body}: {b:?}");
+    }
+}
+
+#[test]
+fn integers_of_subgroups_are_known() {
+    let (_, n) = run("b[i] = 0.0; let sum = subgroupAdd(i + 1u); if l == 0u { atomicAdd(&n[0], sum); }");
+    assert_eq!(n[0], ShadowWord::Word { value: 36, known: true });
+}
+
+#[test]
+fn a_subgroup_whose_lanes_are_not_certain_promises_nothing() {
+    // Of the fourth number no driver is sure; the second workgroup knows nothing of that.
+    for (exchange, of_gather) in [
+        ("subgroupAdd(1.5)", false),
+        ("subgroupBroadcastFirst(a[i])", false),
+        ("subgroupShuffle(a[i], u32(a[3] * 1.1 / 1.43))", true),
+    ] {
+        let body = match of_gather {
+            true => format!("b[i] = {exchange};"),
+            false => format!("if a[i] * 1.1 / 1.0 < 1.43 {{ b[i] = {exchange}; }}"),
+        };
+        let (b, _) = run(&body);
+        assert!(bound(&b[0]).is_infinite(), "{body}: {b:?}");
+    }
 }

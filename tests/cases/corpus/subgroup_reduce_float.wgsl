@@ -1,5 +1,4 @@
 // Covers: subgroup reductions and scans of f32; the order of a sum is the driver's.
-// lobe: --within out=0.00001
 @group(0) @binding(0) var<storage, read> data: array<f32, 64>;
 @group(0) @binding(1) var<storage, read_write> out: array<vec4<f32>, 128>;
 

@@ -34,6 +34,7 @@
 //!   `clamp` of it: it may be NaN.
 
 mod boolean;
+mod collect;
 mod elementary;
 mod interval;
 mod model;

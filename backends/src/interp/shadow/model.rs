@@ -3,11 +3,12 @@
 use super::round::{down, up};
 use super::slope::{only, rounded, rounded_product, rounded_sum};
 use super::tape::Slope;
-use super::{Float, Shadow, Truth, Word, boolean, elementary, interval, pieces, slope};
+use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope};
 use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
 use crate::interp::program::Scalar;
 use lobe_codegen::math::scalar;
+use naga::SubgroupOperation;
 
 /// Operations that put their results on the tape themselves, or whose results are sources there.
 macro_rules! forward {
@@ -55,6 +56,9 @@ impl Model for Shadow {
         } else {
             Float::unbounded(a.value, truth)
         }
+    }
+    fn collected(&self, op: SubgroupOperation, all: &[Float], strict: Float) -> Float {
+        self.source(collect::collected(op, all, strict.value))
     }
     fn join_f(&self, a: Float, b: Float, pick: Pick) -> Float {
         let value = if pick.value { a.value } else { b.value };
