@@ -1,15 +1,13 @@
-//! The one table of built-in operations: name, signature, naga operation, accuracy class.
+//! The one table of built-in operations: name, signature, naga operation.
 //!
 //! Everything that knows an operation iterates this table: the names that kernels may call
 //! ([`crate::prelude`]), the lowering to naga, the interpreter's shadow lane, the op-conformance
 //! tests.
 //! The native form of each function is the one of the same name in [`crate::math`].
 //!
-//! The accuracy classes are the looser of WGSL section 15.7.4 ("Floating Point Accuracy") and the
-//! Vulkan specification, appendix "Precision and Operation of SPIR-V Instructions", tables
-//! "Precision of core SPIR-V Instructions" and "Precision of GLSL.std.450 Instructions".
+//! How accurate they are is told by [`crate::accuracy`].
 
-use naga::{AtomicFunction, BinaryOperator, MathFunction, RelationalFunction};
+use naga::{AtomicFunction, MathFunction, RelationalFunction};
 
 /// What an operation takes and returns; `T` is the type of its first argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,51 +67,6 @@ pub enum Op {
     Barrier(naga::Barrier),
 }
 
-/// How far a driver's result may lie from the exact one.
-///
-/// One ULP is taken as `2^-23` of the result's magnitude, which no representable value exceeds.
-/// Beside its class, every float operation may flush subnormal operands and results to zero.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Accuracy {
-    /// The result is representable, and that one is returned.
-    Exact,
-    /// One of the two floats that enclose the exact result.
-    Correct,
-    /// So many ULP.
-    Ulp(f64),
-    /// `base + slope·|x|` ULP, `x` being the argument.
-    UlpScaled {
-        /// At 0.
-        base: f64,
-        /// Growth.
-        slope: f64,
-    },
-    /// An absolute error for arguments in `from..=to`, so many ULP elsewhere.
-    UlpOrAbsolute {
-        /// Elsewhere.
-        ulp: f64,
-        /// Within the range.
-        absolute: f64,
-        /// Begin of the range.
-        from: f64,
-        /// End of the range.
-        to: f64,
-    },
-    /// An absolute error for arguments in `from..=to`, no promise elsewhere.
-    AbsoluteOn {
-        /// Within the range.
-        absolute: f64,
-        /// Begin of the range.
-        from: f64,
-        /// End of the range.
-        to: f64,
-    },
-    /// As accurate as this formula of other operations.
-    Inherited(&'static str),
-    /// The worse of an absolute error and of this formula.
-    InheritedOrAbsolute(&'static str, f64),
-}
-
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
@@ -125,17 +78,10 @@ pub struct Row {
     pub shape: Shape,
     /// naga's form.
     pub op: Op,
-    /// Accuracy on floats; results on integers are exact.
-    pub accuracy: Accuracy,
 }
 
-const SIN: Accuracy =
-    Accuracy::AbsoluteOn { absolute: 0.00048828125, from: -std::f64::consts::PI, to: std::f64::consts::PI };
-const LOG: Accuracy = Accuracy::UlpOrAbsolute { ulp: 3.0, absolute: 4.76837158203125e-7, from: 0.5, to: 2.0 };
-const EXP: Accuracy = Accuracy::UlpScaled { base: 3.0, slope: 2.0 };
-
 macro_rules! table {
-    ($($name:ident $variant:ident $shape:expr, $op:expr, $accuracy:expr;)*) => {
+    ($($name:ident $variant:ident $shape:expr, $op:expr;)*) => {
         /// A built-in operation of the kernel language.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Intrinsic {
@@ -152,7 +98,6 @@ macro_rules! table {
                 name: stringify!($name),
                 shape: $shape,
                 op: $op,
-                accuracy: $accuracy,
             },)*
         ];
 
@@ -172,90 +117,87 @@ macro_rules! table {
     };
 }
 
-use Accuracy::{Correct, Exact, Inherited, InheritedOrAbsolute, Ulp};
 use MathFunction as M;
 use Shape::{Float, Numeric, Reduce, Vector};
 
 table! {
-    abs Abs Shape::Signed, Op::Math(M::Abs), Exact;
-    min Min Numeric(2), Op::Math(M::Min), Exact;
-    max Max Numeric(2), Op::Math(M::Max), Exact;
-    clamp Clamp Numeric(3), Op::Math(M::Clamp), Exact;
-    saturate Saturate Float(1), Op::Math(M::Saturate), Exact;
-    sign Sign Shape::Signed, Op::Math(M::Sign), Exact;
-    ceil Ceil Float(1), Op::Math(M::Ceil), Exact;
-    floor Floor Float(1), Op::Math(M::Floor), Exact;
-    round Round Float(1), Op::Math(M::Round), Exact;
-    trunc Trunc Float(1), Op::Math(M::Trunc), Exact;
-    fract Fract Float(1), Op::Math(M::Fract), Correct;
-    step Step Float(2), Op::Math(M::Step), Exact;
+    abs Abs Shape::Signed, Op::Math(M::Abs);
+    min Min Numeric(2), Op::Math(M::Min);
+    max Max Numeric(2), Op::Math(M::Max);
+    clamp Clamp Numeric(3), Op::Math(M::Clamp);
+    saturate Saturate Float(1), Op::Math(M::Saturate);
+    sign Sign Shape::Signed, Op::Math(M::Sign);
+    ceil Ceil Float(1), Op::Math(M::Ceil);
+    floor Floor Float(1), Op::Math(M::Floor);
+    round Round Float(1), Op::Math(M::Round);
+    trunc Trunc Float(1), Op::Math(M::Trunc);
+    fract Fract Float(1), Op::Math(M::Fract);
+    step Step Float(2), Op::Math(M::Step);
 
-    sqrt Sqrt Float(1), Op::Math(M::Sqrt), Inherited("1.0 / inverse_sqrt(x)");
-    inverse_sqrt InverseSqrt Float(1), Op::Math(M::InverseSqrt), Ulp(2.0);
-    exp Exp Float(1), Op::Math(M::Exp), EXP;
-    exp2 Exp2 Float(1), Op::Math(M::Exp2), EXP;
-    log Log Float(1), Op::Math(M::Log), LOG;
-    log2 Log2 Float(1), Op::Math(M::Log2), LOG;
-    pow Pow Float(2), Op::Math(M::Pow), Inherited("exp2(y * log2(x))");
+    sqrt Sqrt Float(1), Op::Math(M::Sqrt);
+    inverse_sqrt InverseSqrt Float(1), Op::Math(M::InverseSqrt);
+    exp Exp Float(1), Op::Math(M::Exp);
+    exp2 Exp2 Float(1), Op::Math(M::Exp2);
+    log Log Float(1), Op::Math(M::Log);
+    log2 Log2 Float(1), Op::Math(M::Log2);
+    pow Pow Float(2), Op::Math(M::Pow);
 
-    sin Sin Float(1), Op::Math(M::Sin), SIN;
-    cos Cos Float(1), Op::Math(M::Cos), SIN;
-    tan Tan Float(1), Op::Math(M::Tan), Inherited("sin(x) / cos(x)");
-    asin Asin Float(1), Op::Math(M::Asin), InheritedOrAbsolute("atan2(x, sqrt(1.0 - x * x))", 6.81e-5);
-    acos Acos Float(1), Op::Math(M::Acos), InheritedOrAbsolute("atan2(sqrt(1.0 - x * x), x)", 6.81e-5);
-    atan Atan Float(1), Op::Math(M::Atan), Ulp(4096.0);
-    atan2 Atan2 Float(2), Op::Math(M::Atan2), Ulp(4096.0);
-    sinh Sinh Float(1), Op::Math(M::Sinh), Inherited("(exp(x) - exp(-x)) * 0.5");
-    cosh Cosh Float(1), Op::Math(M::Cosh), Inherited("(exp(x) + exp(-x)) * 0.5");
-    tanh Tanh Float(1), Op::Math(M::Tanh), InheritedOrAbsolute("sinh(x) / cosh(x)", 1e-5);
-    asinh Asinh Float(1), Op::Math(M::Asinh), Inherited("log(x + sqrt(x * x + 1.0))");
-    acosh Acosh Float(1), Op::Math(M::Acosh), Inherited("log(x + sqrt(x * x - 1.0))");
-    atanh Atanh Float(1), Op::Math(M::Atanh), Inherited("log((1.0 + x) / (1.0 - x)) * 0.5");
+    sin Sin Float(1), Op::Math(M::Sin);
+    cos Cos Float(1), Op::Math(M::Cos);
+    tan Tan Float(1), Op::Math(M::Tan);
+    asin Asin Float(1), Op::Math(M::Asin);
+    acos Acos Float(1), Op::Math(M::Acos);
+    atan Atan Float(1), Op::Math(M::Atan);
+    atan2 Atan2 Float(2), Op::Math(M::Atan2);
+    sinh Sinh Float(1), Op::Math(M::Sinh);
+    cosh Cosh Float(1), Op::Math(M::Cosh);
+    tanh Tanh Float(1), Op::Math(M::Tanh);
+    asinh Asinh Float(1), Op::Math(M::Asinh);
+    acosh Acosh Float(1), Op::Math(M::Acosh);
+    atanh Atanh Float(1), Op::Math(M::Atanh);
 
-    degrees Degrees Float(1), Op::Math(M::Degrees), Inherited("x * 57.295779513082322865");
-    radians Radians Float(1), Op::Math(M::Radians), Inherited("x * 0.017453292519943295474");
-    fma Fma Float(3), Op::Math(M::Fma), Inherited("x * y + z");
-    mix Mix Float(3), Op::Math(M::Mix), Inherited("x * (1.0 - z) + y * z");
-    smoothstep SmoothStep Float(3), Op::Math(M::SmoothStep),
-        Inherited("t * t * (3.0 - 2.0 * t), t = clamp((z - x) / (y - x), 0.0, 1.0)");
+    degrees Degrees Float(1), Op::Math(M::Degrees);
+    radians Radians Float(1), Op::Math(M::Radians);
+    fma Fma Float(3), Op::Math(M::Fma);
+    mix Mix Float(3), Op::Math(M::Mix);
+    smoothstep SmoothStep Float(3), Op::Math(M::SmoothStep);
 
-    dot Dot Reduce(2), Op::Math(M::Dot), Inherited("x[0] * y[0] + x[1] * y[1] + ..");
-    length Length Reduce(1), Op::Math(M::Length), Inherited("sqrt(dot(x, x))");
-    distance Distance Reduce(2), Op::Math(M::Distance), Inherited("length(x - y)");
-    normalize Normalize Vector(1), Op::Math(M::Normalize), Inherited("x / length(x)");
-    cross Cross Shape::Cross, Op::Math(M::Cross), Inherited("x[i] * y[j] - x[j] * y[i]");
-    reflect Reflect Vector(2), Op::Math(M::Reflect), Inherited("x - 2.0 * dot(x, y) * y");
-    refract Refract Shape::Refract, Op::Math(M::Refract),
-        Inherited("z * x - (z * dot(y, x) + sqrt(k)) * y, k = 1.0 - z * z * (1.0 - dot(y, x) * dot(y, x))");
-    face_forward FaceForward Vector(3), Op::Math(M::FaceForward), Inherited("select(-x, x, dot(y, z) < 0.0)");
-    transpose Transpose Shape::Transpose, Op::Math(M::Transpose), Exact;
+    dot Dot Reduce(2), Op::Math(M::Dot);
+    length Length Reduce(1), Op::Math(M::Length);
+    distance Distance Reduce(2), Op::Math(M::Distance);
+    normalize Normalize Vector(1), Op::Math(M::Normalize);
+    cross Cross Shape::Cross, Op::Math(M::Cross);
+    reflect Reflect Vector(2), Op::Math(M::Reflect);
+    refract Refract Shape::Refract, Op::Math(M::Refract);
+    face_forward FaceForward Vector(3), Op::Math(M::FaceForward);
+    transpose Transpose Shape::Transpose, Op::Math(M::Transpose);
 
-    count_one_bits CountOneBits Shape::Integer, Op::Math(M::CountOneBits), Exact;
-    count_leading_zeros CountLeadingZeros Shape::Integer, Op::Math(M::CountLeadingZeros), Exact;
-    count_trailing_zeros CountTrailingZeros Shape::Integer, Op::Math(M::CountTrailingZeros), Exact;
-    reverse_bits ReverseBits Shape::Integer, Op::Math(M::ReverseBits), Exact;
-    first_leading_bit FirstLeadingBit Shape::Integer, Op::Math(M::FirstLeadingBit), Exact;
-    first_trailing_bit FirstTrailingBit Shape::Integer, Op::Math(M::FirstTrailingBit), Exact;
-    extract_bits ExtractBits Shape::ExtractBits, Op::Math(M::ExtractBits), Exact;
-    insert_bits InsertBits Shape::InsertBits, Op::Math(M::InsertBits), Exact;
+    count_one_bits CountOneBits Shape::Integer, Op::Math(M::CountOneBits);
+    count_leading_zeros CountLeadingZeros Shape::Integer, Op::Math(M::CountLeadingZeros);
+    count_trailing_zeros CountTrailingZeros Shape::Integer, Op::Math(M::CountTrailingZeros);
+    reverse_bits ReverseBits Shape::Integer, Op::Math(M::ReverseBits);
+    first_leading_bit FirstLeadingBit Shape::Integer, Op::Math(M::FirstLeadingBit);
+    first_trailing_bit FirstTrailingBit Shape::Integer, Op::Math(M::FirstTrailingBit);
+    extract_bits ExtractBits Shape::ExtractBits, Op::Math(M::ExtractBits);
+    insert_bits InsertBits Shape::InsertBits, Op::Math(M::InsertBits);
 
-    select Select Shape::Select, Op::Select, Exact;
-    all All Shape::Relational, Op::Relational(RelationalFunction::All), Exact;
-    any Any Shape::Relational, Op::Relational(RelationalFunction::Any), Exact;
+    select Select Shape::Select, Op::Select;
+    all All Shape::Relational, Op::Relational(RelationalFunction::All);
+    any Any Shape::Relational, Op::Relational(RelationalFunction::Any);
 
-    atomic_load AtomicLoad Shape::AtomicLoad, Op::AtomicLoad, Exact;
-    atomic_store AtomicStore Shape::AtomicStore, Op::AtomicStore, Exact;
-    atomic_add AtomicAdd Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Add), Exact;
-    atomic_sub AtomicSub Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Subtract), Exact;
-    atomic_min AtomicMin Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Min), Exact;
-    atomic_max AtomicMax Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Max), Exact;
-    atomic_and AtomicAnd Shape::AtomicUpdate, Op::Atomic(AtomicFunction::And), Exact;
-    atomic_or AtomicOr Shape::AtomicUpdate, Op::Atomic(AtomicFunction::InclusiveOr), Exact;
-    atomic_xor AtomicXor Shape::AtomicUpdate, Op::Atomic(AtomicFunction::ExclusiveOr), Exact;
+    atomic_load AtomicLoad Shape::AtomicLoad, Op::AtomicLoad;
+    atomic_store AtomicStore Shape::AtomicStore, Op::AtomicStore;
+    atomic_add AtomicAdd Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Add);
+    atomic_sub AtomicSub Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Subtract);
+    atomic_min AtomicMin Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Min);
+    atomic_max AtomicMax Shape::AtomicUpdate, Op::Atomic(AtomicFunction::Max);
+    atomic_and AtomicAnd Shape::AtomicUpdate, Op::Atomic(AtomicFunction::And);
+    atomic_or AtomicOr Shape::AtomicUpdate, Op::Atomic(AtomicFunction::InclusiveOr);
+    atomic_xor AtomicXor Shape::AtomicUpdate, Op::Atomic(AtomicFunction::ExclusiveOr);
     atomic_exchange AtomicExchange Shape::AtomicUpdate,
-        Op::Atomic(AtomicFunction::Exchange { compare: None }), Exact;
-    workgroup_barrier WorkgroupBarrier Shape::Barrier, Op::Barrier(naga::Barrier::WORK_GROUP), Exact;
-    storage_barrier StorageBarrier Shape::Barrier, Op::Barrier(naga::Barrier::STORAGE), Exact;
+        Op::Atomic(AtomicFunction::Exchange { compare: None });
+    workgroup_barrier WorkgroupBarrier Shape::Barrier, Op::Barrier(naga::Barrier::WORK_GROUP);
+    storage_barrier StorageBarrier Shape::Barrier, Op::Barrier(naga::Barrier::STORAGE);
 }
 
 impl Intrinsic {
@@ -269,29 +211,6 @@ impl Intrinsic {
 /// The row whose operation is this naga math function.
 pub fn math_row(function: MathFunction) -> Option<&'static Row> {
     TABLE.iter().find(|row| row.op == Op::Math(function))
-}
-
-/// Accuracy of an infix operator on floats.
-pub fn operator_accuracy(op: BinaryOperator) -> Accuracy {
-    match op {
-        // 2.5 ULP while the divisor lies in 2^-126 ..= 2^126; the shadow lane refuses others.
-        BinaryOperator::Divide => Ulp(2.5),
-        BinaryOperator::Modulo => Inherited("x - y * trunc(x / y)"),
-        BinaryOperator::Add | BinaryOperator::Subtract | BinaryOperator::Multiply => Correct,
-        BinaryOperator::Equal
-        | BinaryOperator::NotEqual
-        | BinaryOperator::Less
-        | BinaryOperator::LessEqual
-        | BinaryOperator::Greater
-        | BinaryOperator::GreaterEqual
-        | BinaryOperator::And
-        | BinaryOperator::ExclusiveOr
-        | BinaryOperator::InclusiveOr
-        | BinaryOperator::LogicalAnd
-        | BinaryOperator::LogicalOr
-        | BinaryOperator::ShiftLeft
-        | BinaryOperator::ShiftRight => Exact,
-    }
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@
 // The macro's expansion names this crate by its own name, here as everywhere.
 extern crate self as lobe_codegen;
 
+pub mod accuracy;
 pub mod data;
 pub mod def;
 mod directives;

@@ -1,5 +1,5 @@
-//! The formulas from which composite operations inherit their accuracy, term by term as the table of
-//! intrinsics states them.
+//! The formulas from which composite operations inherit their accuracy, term by term as the tables of
+//! [`lobe_codegen::accuracy`] state them.
 //!
 //! A model that has nothing better takes its operations from here; the shadow lane takes its bounds from
 //! here and its exact values from f64 functions.
@@ -12,6 +12,14 @@ pub(super) fn clamp<M: Model>(m: &M, x: M::F, low: M::F, high: M::F) -> M::F {
 
 pub(super) fn saturate<M: Model>(m: &M, x: M::F) -> M::F {
     clamp(m, x, m.constant(0.0), m.constant(1.0))
+}
+
+pub(super) fn exp<M: Model>(m: &M, x: M::F) -> M::F {
+    m.exp2(m.mul(x, m.constant(std::f64::consts::LOG2_E)))
+}
+
+pub(super) fn log<M: Model>(m: &M, x: M::F) -> M::F {
+    m.mul(m.log2(x), m.constant(std::f64::consts::LN_2))
 }
 
 pub(super) fn pow<M: Model>(m: &M, x: M::F, y: M::F) -> M::F {
@@ -74,6 +82,11 @@ pub(super) fn fma<M: Model>(m: &M, x: M::F, y: M::F, z: M::F) -> M::F {
 
 pub(super) fn mix<M: Model>(m: &M, x: M::F, y: M::F, t: M::F) -> M::F {
     m.add(m.mul(x, m.sub(m.constant(1.0), t)), m.mul(y, t))
+}
+
+/// The other formula of `mix`; see [`lobe_codegen::accuracy::LERP`].
+pub(super) fn lerp<M: Model>(m: &M, x: M::F, y: M::F, t: M::F) -> M::F {
+    m.add(x, m.mul(t, m.sub(y, x)))
 }
 
 pub(super) fn smoothstep<M: Model>(m: &M, low: M::F, high: M::F, x: M::F) -> M::F {

@@ -48,6 +48,7 @@ pub use finding::{Checks, Fault, Finding, Invocation};
 pub use resources::{BoundSampler, BoundTexture, Resources};
 
 use lobe_codegen::ValidModule;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::module::Scope;
 use lower::Reader;
@@ -66,6 +67,7 @@ pub struct Interpreter<'m> {
     fuel: u64,
     isa: Isa,
     subgroup: u32,
+    accuracy: &'static Model,
     overrides: Vec<lobe_codegen::foreign::Override>,
     cache: fast::cache::Cache,
 }
@@ -148,6 +150,7 @@ impl<'m> Interpreter<'m> {
             fuel: FUEL,
             isa: Isa::best(),
             subgroup: SUBGROUP,
+            accuracy: Model::portable(),
             overrides: Vec::new(),
             cache: fast::cache::Cache::default(),
         })
@@ -172,6 +175,12 @@ impl<'m> Interpreter<'m> {
     pub fn with_subgroup_size(self, invocations: u32) -> Self {
         let subgroup = invocations.clamp(4, fast::LANES as u32).next_power_of_two();
         Self { subgroup, ..self }
+    }
+
+    /// The same, but drivers are permitted what `accuracy` permits, instead of [`Model::portable`].
+    #[must_use]
+    pub fn with_accuracy(self, accuracy: &'static Model) -> Self {
+        Self { accuracy, ..self }
     }
 
     /// Calls function `f` on every row, in strict f32: one column of words for each scalar of the arguments,
@@ -201,7 +210,7 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// As [`Interpreter::call`].
     pub fn perturbed(&self, f: Handle<Function>, args: &Columns, seed: u64) -> Result<Columns, InterpError> {
-        self.calls(f, args, |call| call.words(|chunk| perturbed::Perturbed::nth(seed, chunk)))
+        self.calls(f, args, |call| call.words(|chunk| perturbed::Perturbed::nth(self.accuracy, seed, chunk)))
     }
 
     /// Calls `f` on every row with the exact value and a bound beside each float.
@@ -217,7 +226,7 @@ impl<'m> Interpreter<'m> {
         args: &Columns,
         exact: Option<&[Vec<f64>]>,
     ) -> Result<ShadowColumns, InterpError> {
-        self.shadowed(f, args, exact, shadow::Shadow::default)
+        self.shadowed(f, args, exact, shadow::Shadow::new)
     }
 
     /// The same without the tape, so cheaper, with bounds that do not know which numbers share an error: for exact values.
@@ -238,10 +247,10 @@ impl<'m> Interpreter<'m> {
         f: Handle<Function>,
         args: &Columns,
         exact: Option<&[Vec<f64>]>,
-        model: fn() -> shadow::Shadow,
+        model: fn(&'static Model) -> shadow::Shadow,
     ) -> Result<ShadowColumns, InterpError> {
         let code = judge::Code::new(self.lowered(f, args, exact, Reader::Judge)?);
-        judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(model)
+        judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(|| model(self.accuracy))
     }
 
     /// Runs `f` by the judge.
@@ -322,7 +331,7 @@ impl<'m> Interpreter<'m> {
         resources: impl Into<Resources<'a>>,
     ) -> Result<Vec<ShadowBuffer>, InterpError> {
         let mut resources = resources.into();
-        self.dispatches(entry, groups, Reader::Judge, |d| d.shadow(&mut resources))
+        self.dispatches(entry, groups, Reader::Judge, |d| d.shadow(self.accuracy, &mut resources))
     }
 
     /// Runs entry point `entry` as a permitted driver would that errs by chance; the same seed gives the same results.
@@ -337,7 +346,7 @@ impl<'m> Interpreter<'m> {
         seed: u64,
     ) -> Result<(), InterpError> {
         let mut resources = resources.into();
-        let model = |group| perturbed::Perturbed::nth(seed, group);
+        let model = |group| perturbed::Perturbed::nth(self.accuracy, seed, group);
         self.dispatches(entry, groups, Reader::Judge, |d| d.run(&mut resources, model))
     }
 

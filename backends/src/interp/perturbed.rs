@@ -7,12 +7,15 @@
 use super::judge::integer;
 use super::model::{Model, Pick};
 use super::program::Scalar;
-use lobe_codegen::intrinsics::{Accuracy, Intrinsic};
+use lobe_codegen::accuracy::{self, Accuracy, LERP, Operation, Rounding, Subnormal};
+use lobe_codegen::intrinsics::Intrinsic;
+use naga::BinaryOperator;
 use std::cell::Cell;
 
 /// The model; it draws from a generator of its own.
 #[derive(Debug)]
 pub(super) struct Perturbed {
+    accuracy: &'static accuracy::Model,
     state: Cell<u64>,
 }
 
@@ -30,13 +33,10 @@ fn plain(value: f32) -> Number {
 }
 
 impl Perturbed {
-    fn new(seed: u64) -> Self {
-        Self { state: Cell::new(seed) }
-    }
-
-    /// The driver of a part of the work, so that parts err differently.
-    pub(super) fn nth(seed: u64, part: usize) -> Self {
-        Self::new(seed ^ (part as u64).wrapping_mul(0x5851_f42d_4c95_7f2d))
+    /// The driver of a part of the work, so that parts err differently; it errs as `accuracy` permits.
+    pub(super) fn nth(accuracy: &'static accuracy::Model, seed: u64, part: usize) -> Self {
+        let seed = seed ^ (part as u64).wrapping_mul(0x5851_f42d_4c95_7f2d);
+        Self { accuracy, state: Cell::new(seed) }
     }
 
     /// SplitMix64.
@@ -62,7 +62,8 @@ impl Perturbed {
     }
 
     fn flush(&self, x: f32) -> f32 {
-        if x.is_subnormal() && self.coin() { 0.0_f32.copysign(x) } else { x }
+        let always = self.accuracy.rules.subnormal.0 == Subnormal::Flushed;
+        if x.is_subnormal() && (always || self.coin()) { 0.0_f32.copysign(x) } else { x }
     }
 
     fn operand(&self, a: Number) -> f64 {
@@ -82,6 +83,23 @@ impl Perturbed {
         self.flush(if self.coin() { nearest } else { other })
     }
 
+    /// `x`, correctly rounded.
+    fn rounded(&self, x: f64) -> f32 {
+        match self.accuracy.rules.rounding.0 {
+            Rounding::Either => self.either(x),
+            Rounding::Nearest => self.flush(x as f32),
+        }
+    }
+
+    /// One of the classes that a result may be of.
+    fn class(&self, classes: &[Accuracy]) -> Accuracy {
+        match classes {
+            [] => Accuracy::Nothing,
+            [class] => *class,
+            classes => classes[(self.draw() % classes.len() as u64) as usize],
+        }
+    }
+
     /// A float not further than `error` from `x`.
     fn within(&self, x: f64, error: f64) -> Number {
         let wanted = (x + self.share() * error) as f32;
@@ -96,11 +114,11 @@ impl Perturbed {
         self.within(x, n * (ULP * x.abs()).max(1.401298464324817e-45))
     }
 
-    /// The result of an operation with this accuracy at argument `a`.
-    fn inexact(&self, intrinsic: Intrinsic, a: f64, result: f64) -> Number {
-        match intrinsic.row().accuracy {
-            Accuracy::Exact | Accuracy::Correct => plain(self.either(result)),
-            Accuracy::Ulp(n) => self.ulps(n, result),
+    /// A result within a class that is a number, at argument `a`.
+    fn inexact(&self, class: Accuracy, a: f64, result: f64) -> Number {
+        match class {
+            Accuracy::Exact | Accuracy::Correct => plain(self.rounded(result)),
+            Accuracy::Ulp(n) | Accuracy::UlpWhere { ulp: n, .. } => self.ulps(n, result),
             Accuracy::UlpScaled { base, slope } => self.ulps(base + slope * a.abs(), result),
             Accuracy::UlpOrAbsolute { ulp, absolute, from, to } => {
                 if (from..=to).contains(&a) {
@@ -109,10 +127,11 @@ impl Perturbed {
                     self.ulps(ulp, result)
                 }
             }
-            Accuracy::AbsoluteOn { absolute, .. } | Accuracy::InheritedOrAbsolute(_, absolute) => {
-                self.off(result, absolute)
+            Accuracy::Absolute(error) | Accuracy::AbsoluteOn { absolute: error, .. } => {
+                self.off(result, error)
             }
             Accuracy::Inherited(_) => plain(result as f32),
+            Accuracy::Nothing => self.off(result, 1.0 + result.abs()),
         }
     }
 
@@ -135,12 +154,24 @@ impl Perturbed {
 
     fn elementary(&self, intrinsic: Intrinsic, a: Number, f: fn(f64) -> f64) -> Number {
         let x = self.operand(a);
-        self.inexact(intrinsic, x, f(x))
+        self.inexact(self.class(self.accuracy.builtin(intrinsic)), x, f(x))
     }
 
-    /// The formula or, where the table has one, the absolute error.
-    fn worse(&self, intrinsic: Intrinsic, a: Number, f: fn(f64) -> f64, formula: Number) -> Number {
-        if self.coin() { formula } else { self.elementary(intrinsic, a, f) }
+    /// The same where the class may be a formula.
+    fn composed(
+        &self,
+        intrinsic: Intrinsic,
+        a: Number,
+        f: fn(f64) -> f64,
+        formula: fn(&Self, Number) -> Number,
+    ) -> Number {
+        match self.class(self.accuracy.builtin(intrinsic)) {
+            Accuracy::Inherited(_) => formula(self, a),
+            class => {
+                let x = self.operand(a);
+                self.inexact(class, x, f(x))
+            }
+        }
     }
 }
 
@@ -260,21 +291,23 @@ impl Model for Perturbed {
         // A fused operation takes one product whole, not two.
         let (x, y) =
             if self.coin() { (self.summand(a), self.operand(b)) } else { (self.operand(a), self.summand(b)) };
-        plain(self.either(x + y))
+        plain(self.rounded(x + y))
     }
     fn sub(&self, a: Number, b: Number) -> Number {
         self.add(a, self.neg(b))
     }
     fn mul(&self, a: Number, b: Number) -> Number {
         let product = self.operand(a) * self.operand(b);
-        Number { value: self.either(product), product: Some(product) }
+        Number { value: self.rounded(product), product: Some(product) }
     }
     fn square(&self, a: Number) -> Number {
         let x = self.operand(a);
-        Number { value: self.either(x * x), product: Some(x * x) }
+        Number { value: self.rounded(x * x), product: Some(x * x) }
     }
     fn div(&self, a: Number, b: Number) -> Number {
-        self.ulps(2.5, self.operand(a) / self.operand(b))
+        let divide = self.accuracy.row(Operation::Infix(BinaryOperator::Divide)).f32;
+        let divisor = self.operand(b);
+        self.inexact(self.class(divide), divisor, self.operand(a) / divisor)
     }
     fn rem(&self, a: Number, b: Number) -> Number {
         self.sub(a, self.mul(b, self.trunc(self.div(a, b))))
@@ -310,7 +343,7 @@ impl Model for Perturbed {
     }
     fn fract(&self, a: Number) -> Number {
         let x = self.operand(a);
-        plain(self.either(x - x.floor()))
+        plain(self.rounded(x - x.floor()))
     }
     fn step(&self, edge: Number, x: Number) -> Number {
         plain(if self.less_equal(edge, x) { 1.0 } else { 0.0 })
@@ -318,7 +351,10 @@ impl Model for Perturbed {
     fn sqrt(&self, a: Number) -> Number {
         let x = self.operand(a);
         if x >= f64::from(f32::MIN_POSITIVE) || x < 0.0 {
-            return self.div(plain(1.0), self.inverse_sqrt(plain(x as f32)));
+            return match self.class(self.accuracy.builtin(Intrinsic::Sqrt)) {
+                Accuracy::Inherited(_) => self.div(plain(1.0), self.inverse_sqrt(plain(x as f32))),
+                class => self.inexact(class, x, x.sqrt()),
+            };
         }
         plain(self.flush(if self.coin() { 0.0 } else { x.sqrt() as f32 }))
     }
@@ -326,13 +362,13 @@ impl Model for Perturbed {
         self.elementary(Intrinsic::InverseSqrt, a, |x| 1.0 / x.sqrt())
     }
     fn exp(&self, a: Number) -> Number {
-        self.elementary(Intrinsic::Exp, a, libm::exp)
+        self.composed(Intrinsic::Exp, a, libm::exp, super::formula::exp)
     }
     fn exp2(&self, a: Number) -> Number {
         self.elementary(Intrinsic::Exp2, a, libm::exp2)
     }
     fn log(&self, a: Number) -> Number {
-        self.elementary(Intrinsic::Log, a, libm::log)
+        self.composed(Intrinsic::Log, a, libm::log, super::formula::log)
     }
     fn log2(&self, a: Number) -> Number {
         self.elementary(Intrinsic::Log2, a, libm::log2)
@@ -348,15 +384,21 @@ impl Model for Perturbed {
     }
     fn atan2(&self, y: Number, x: Number) -> Number {
         let angle = libm::atan2(self.operand(y), self.operand(x));
-        self.inexact(Intrinsic::Atan2, 0.0, angle)
+        self.inexact(self.class(self.accuracy.builtin(Intrinsic::Atan2)), 0.0, angle)
     }
     fn asin(&self, x: Number) -> Number {
-        self.worse(Intrinsic::Asin, x, libm::asin, super::formula::asin(self, x))
+        self.composed(Intrinsic::Asin, x, libm::asin, super::formula::asin)
     }
     fn acos(&self, x: Number) -> Number {
-        self.worse(Intrinsic::Acos, x, libm::acos, super::formula::acos(self, x))
+        self.composed(Intrinsic::Acos, x, libm::acos, super::formula::acos)
+    }
+    fn mix(&self, x: Number, y: Number, t: Number) -> Number {
+        match self.class(self.accuracy.builtin(Intrinsic::Mix)) {
+            Accuracy::Inherited(LERP) => super::formula::lerp(self, x, y, t),
+            _ => super::formula::mix(self, x, y, t),
+        }
     }
     fn tanh(&self, x: Number) -> Number {
-        self.worse(Intrinsic::Tanh, x, libm::tanh, super::formula::tanh(self, x))
+        self.composed(Intrinsic::Tanh, x, libm::tanh, super::formula::tanh)
     }
 }

@@ -4,6 +4,7 @@
 
 use crate::support::{Chance, columns, float_column, floats, module};
 use lobe_backends::interp::{Interpreter, ShadowColumn};
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 
 const ROWS: usize = 300;
@@ -19,11 +20,19 @@ pub(crate) struct Seen {
     used: f64,
 }
 
-/// Checks strict and chance drivers against the bounds of `f`.
+/// Checks strict and chance drivers of every model against the bounds of `f`.
 pub(crate) fn check(text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
+    for (index, model) in Model::all().iter().enumerate() {
+        let mut other = Seen::default();
+        check_model(model, text, args, seed, if index == 0 { &mut *seen } else { &mut other });
+    }
+}
+
+/// The same for one model.
+fn check_model(model: &'static Model, text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
     let module = module(text);
     let f = module.function("f").unwrap();
-    let interpreter = Interpreter::new(&module).unwrap();
+    let interpreter = Interpreter::new(&module).unwrap().with_accuracy(model);
     let shadow = interpreter.shadow(f, args, None).unwrap();
     let strict = interpreter.call(f, args).unwrap();
     let mut results = vec![strict.clone()];
@@ -31,7 +40,8 @@ pub(crate) fn check(text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
     for (index, column) in shadow.columns.iter().enumerate() {
         for row in 0..args.rows {
             let words: Vec<u32> = results.iter().map(|r| r.columns[index][row]).collect();
-            let place = || format!("seed {seed:#x} row {row} of {:?}\n{text}", argument(args, row));
+            let place =
+                || format!("{}, seed {seed:#x} row {row} of {:?}\n{text}", model.name, argument(args, row));
             match column {
                 ShadowColumn::Float { value, exact, bound } => {
                     let (a, b) = (value[row], f32::from_bits(words[0]));

@@ -14,6 +14,7 @@ use super::input::Inputs;
 use super::memory::{Cell, Shared};
 use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
+use lobe_codegen::accuracy;
 
 /// A dispatch of a program.
 pub(in super::super) struct Dispatch<'a> {
@@ -54,9 +55,13 @@ impl Dispatch<'_> {
     }
 
     /// The words of buffers that the program may write, with their bounds.
-    pub(in super::super) fn shadow(&self, resources: &mut Resources<'_>) -> Res<Vec<ShadowBuffer>> {
+    pub(in super::super) fn shadow(
+        &self,
+        accuracy: &'static accuracy::Model,
+        resources: &mut Resources<'_>,
+    ) -> Res<Vec<ShadowBuffer>> {
         let Left { model: m, memory } =
-            self.everything(resources, |_| Shadow::default(), detach, &mut None)?;
+            self.everything(resources, |_| Shadow::new(accuracy), detach, &mut None)?;
         let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
         let mut left: Vec<_> = written
             .filter_map(|(buffer, shared)| {

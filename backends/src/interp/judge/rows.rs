@@ -47,7 +47,7 @@ impl<'a> Call<'a> {
     }
 
     /// The results with their bounds.
-    pub(in super::super) fn shadow(self, model: fn() -> Shadow) -> Res<ShadowColumns> {
+    pub(in super::super) fn shadow(self, model: impl Fn() -> Shadow + Sync) -> Res<ShadowColumns> {
         let parts = chunks(self.args.rows, SHADOW_LANES)
             .into_par_iter()
             .map(|rows| self.batch(model(), &rows)?.outcome())

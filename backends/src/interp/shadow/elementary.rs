@@ -1,72 +1,23 @@
 //! Elementary functions: f64 at the ends of the interval, widened by the accuracy class.
 
-use super::round::{above, absolute, below, largest_ulp, ulp};
+use super::promise::{is_number, own, widen};
+use super::round::{above, below, ulp};
 use super::slope::{self, only};
 use super::tape::Slope;
 use super::{Float, MIN_NORMAL, Shadow};
 use crate::interp::formula;
-use lobe_codegen::intrinsics::{Accuracy, Intrinsic};
+use lobe_codegen::accuracy::Accuracy;
+use lobe_codegen::intrinsics::Intrinsic;
 use lobe_codegen::math::scalar;
 use std::f64::consts::PI;
 
-/// Widens the exact results for arguments of `low ..= high`.
-fn widen(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Option<(f64, f64)> {
-    let size = argument.0.abs().max(argument.1.abs());
-    Some(match accuracy {
-        Accuracy::Exact | Accuracy::Correct => ulp(1.0, results),
-        Accuracy::Ulp(n) => ulp(n, results),
-        Accuracy::UlpScaled { base, slope } => ulp(base + slope * size, results),
-        Accuracy::UlpOrAbsolute { ulp: n, absolute: error, from, to } => {
-            let apart = argument.1 < from || argument.0 > to;
-            let within = argument.0 >= from && argument.1 <= to;
-            let (a, b) = (absolute(error, results), ulp(n, results));
-            match (apart, within) {
-                (true, _) => b,
-                (_, true) => a,
-                (false, false) => (a.0.min(b.0), a.1.max(b.1)),
-            }
-        }
-        Accuracy::AbsoluteOn { absolute: error, from, to } => {
-            // The f32 nearest to an end is taken for it.
-            let (from, to) = (from.min(f64::from(from as f32)), to.max(f64::from(to as f32)));
-            if argument.0 < from || argument.1 > to {
-                return None;
-            }
-            absolute(error, results)
-        }
-        Accuracy::Inherited(_) | Accuracy::InheritedOrAbsolute(..) => return None,
-    })
-}
-
-/// The own error of a result, as [`widen`] has it; `None` where it is not of one size.
-fn own(accuracy: Accuracy, argument: (f64, f64), result: Float) -> Option<f64> {
-    let size = argument.0.abs().max(argument.1.abs());
-    let ulps = |n: f64| largest_ulp(n, (result.low, result.high));
-    match accuracy {
-        Accuracy::Exact | Accuracy::Correct => Some(ulps(1.0)),
-        Accuracy::Ulp(n) => Some(ulps(n)),
-        Accuracy::UlpScaled { base, slope } => Some(ulps(base + slope * size)),
-        Accuracy::UlpOrAbsolute { ulp: n, absolute: error, from, to } => {
-            let apart = argument.1 < from || argument.0 > to;
-            let within = argument.0 >= from && argument.1 <= to;
-            Some(match (apart, within) {
-                (true, _) => ulps(n),
-                (_, true) => above(error),
-                (false, false) => ulps(n).max(above(error)),
-            })
-        }
-        Accuracy::AbsoluteOn { absolute: error, .. } => Some(above(error)),
-        Accuracy::Inherited(_) | Accuracy::InheritedOrAbsolute(..) => None,
-    }
-}
-
 impl Shadow {
     /// Puts the result of a function of one number on the tape.
-    fn follow(&self, a: Float, result: Float, slope: fn(Float) -> Slope, accuracy: Accuracy) -> Float {
+    fn follow(&self, a: Float, result: Float, slope: fn(Float) -> Slope, classes: &[Accuracy]) -> Float {
         if !result.bounded() {
             return result;
         }
-        let error = if a.is_point() { Some(result.bound()) } else { own(accuracy, (a.low, a.high), result) };
+        let error = if a.is_point() { Some(result.bound()) } else { own(classes, (a.low, a.high), result) };
         match error {
             Some(error) => self.link(result, error, only(a, slope(a))),
             None => self.source(result),
@@ -81,46 +32,58 @@ fn ends(a: Float, f: fn(f64) -> f64) -> (f64, f64) {
 }
 
 /// A function that rises or falls all along `from <= x`.
-fn monotone(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, from: f64, intrinsic: Intrinsic) -> Float {
+fn monotone(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, from: f64, classes: &[Accuracy]) -> Float {
     let (value, exact) = (native(a.value), f(a.exact));
     let inside = a.bounded() && a.low >= from;
-    match inside.then(|| widen(intrinsic.row().accuracy, (a.low, a.high), ends(a, f))).flatten() {
+    match inside.then(|| widen(classes, (a.low, a.high), ends(a, f))).flatten() {
         Some((low, high)) => Float::closed(value, exact, low, high),
         None => Float::unbounded(value, exact),
     }
 }
 
 pub(super) fn exp(m: &Shadow, a: Float) -> Float {
-    let result = monotone(a, scalar::exp, libm::exp, f64::NEG_INFINITY, Intrinsic::Exp);
-    m.follow(a, result, slope::exp, Intrinsic::Exp.row().accuracy)
+    let classes = m.promise.classes(Intrinsic::Exp);
+    if !classes.iter().all(is_number) {
+        return m.inherit(formula::exp(m, a), scalar::exp(a.value), libm::exp(a.exact));
+    }
+    let result = monotone(a, scalar::exp, libm::exp, f64::NEG_INFINITY, classes);
+    m.follow(a, result, slope::exp, classes)
 }
 
 pub(super) fn exp2(m: &Shadow, a: Float) -> Float {
-    let result = monotone(a, scalar::exp2, libm::exp2, f64::NEG_INFINITY, Intrinsic::Exp2);
-    m.follow(a, result, slope::exp2, Intrinsic::Exp2.row().accuracy)
+    let classes = m.promise.classes(Intrinsic::Exp2);
+    let result = monotone(a, scalar::exp2, libm::exp2, f64::NEG_INFINITY, classes);
+    m.follow(a, result, slope::exp2, classes)
 }
 
 pub(super) fn log(m: &Shadow, a: Float) -> Float {
+    let classes = m.promise.classes(Intrinsic::Log);
+    if !classes.iter().all(is_number) {
+        return m.inherit(formula::log(m, a), scalar::log(a.value), libm::log(a.exact));
+    }
     let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::log, libm::log, MIN_NORMAL, Intrinsic::Log);
-    m.follow(a, result, slope::log, Intrinsic::Log.row().accuracy)
+    let result = monotone(a, scalar::log, libm::log, MIN_NORMAL, classes);
+    m.follow(a, result, slope::log, classes)
 }
 
 pub(super) fn log2(m: &Shadow, a: Float) -> Float {
+    let classes = m.promise.classes(Intrinsic::Log2);
     let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::log2, libm::log2, MIN_NORMAL, Intrinsic::Log2);
-    m.follow(a, result, slope::log2, Intrinsic::Log2.row().accuracy)
+    let result = monotone(a, scalar::log2, libm::log2, MIN_NORMAL, classes);
+    m.follow(a, result, slope::log2, classes)
 }
 
 pub(super) fn atan(m: &Shadow, a: Float) -> Float {
-    let result = monotone(a, scalar::atan, libm::atan, f64::NEG_INFINITY, Intrinsic::Atan);
-    m.follow(a, result, slope::atan, Intrinsic::Atan.row().accuracy)
+    let classes = m.promise.classes(Intrinsic::Atan);
+    let result = monotone(a, scalar::atan, libm::atan, f64::NEG_INFINITY, classes);
+    m.follow(a, result, slope::atan, classes)
 }
 
 pub(super) fn inverse_sqrt(m: &Shadow, a: Float) -> Float {
+    let classes = m.promise.classes(Intrinsic::InverseSqrt);
     let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::inverse_sqrt, |x| 1.0 / x.sqrt(), MIN_NORMAL, Intrinsic::InverseSqrt);
-    m.follow(a, result, slope::inverse_sqrt, Intrinsic::InverseSqrt.row().accuracy)
+    let result = monotone(a, scalar::inverse_sqrt, |x| 1.0 / x.sqrt(), MIN_NORMAL, classes);
+    m.follow(a, result, slope::inverse_sqrt, classes)
 }
 
 /// `1 / inverse_sqrt(x)`; see the readings in the module's documentation.
@@ -130,45 +93,45 @@ pub(super) fn sqrt(m: &Shadow, a: Float) -> Float {
     if !(a.bounded() && a.low >= 0.0) {
         return Float::unbounded(value, exact);
     }
-    // (1 + 2u)(1 + 2.5u) < 1 + 4.5001u
-    const ULPS: f64 = 4.5001;
-    let (low, high) = ulp(ULPS, ends(a, f64::sqrt));
+    let ulps = m.promise.root;
+    let (low, high) = ulp(ulps, ends(a, f64::sqrt));
     if a.low < MIN_NORMAL {
         return m.source(Float::closed(value, exact, 0.0, high));
     }
-    m.follow(a, Float::closed(value, exact, low, high), slope::sqrt, Accuracy::Ulp(ULPS))
+    m.follow(a, Float::closed(value, exact, low, high), slope::sqrt, &[Accuracy::Ulp(ulps)])
 }
 
-/// Sine and cosine: their extremes within the interval are those of the ends and of the turning points.
-fn wave(
-    a: Float,
-    native: fn(f32) -> f32,
-    f: fn(f64) -> f64,
-    turns: &[(f64, f64)],
-    intrinsic: Intrinsic,
-) -> Float {
+/// Sine and cosine: their extremes within the interval are those of the ends and of the turning points, of which `top` is
+/// one where the function is 1.
+fn wave(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, top: f64, classes: &[Accuracy]) -> Float {
     let (value, exact) = (native(a.value), f(a.exact));
     if !a.bounded() {
         return Float::unbounded(value, exact);
     }
     let mut results = ends(a, f);
-    for (_, extreme) in turns.iter().filter(|(at, _)| a.low <= *at && *at <= a.high) {
-        results = (results.0.min(*extreme), results.1.max(*extreme));
+    let meets = |turn: f64| ((a.low - turn) / (2.0 * PI)).ceil() <= ((a.high - turn) / (2.0 * PI)).floor();
+    if meets(top) {
+        results.1 = results.1.max(1.0);
     }
-    match widen(intrinsic.row().accuracy, (a.low, a.high), results) {
+    if meets(top + PI) {
+        results.0 = results.0.min(-1.0);
+    }
+    match widen(classes, (a.low, a.high), results) {
         Some((low, high)) => Float::closed(value, exact, low, high),
         None => Float::unbounded(value, exact),
     }
 }
 
 pub(super) fn sin(m: &Shadow, a: Float) -> Float {
-    let result = wave(a, scalar::sin, libm::sin, &[(-PI / 2.0, -1.0), (PI / 2.0, 1.0)], Intrinsic::Sin);
-    m.follow(a, result, slope::sin, Intrinsic::Sin.row().accuracy)
+    let classes = m.promise.classes(Intrinsic::Sin);
+    let result = wave(a, scalar::sin, libm::sin, PI / 2.0, classes);
+    m.follow(a, result, slope::sin, classes)
 }
 
 pub(super) fn cos(m: &Shadow, a: Float) -> Float {
-    let result = wave(a, scalar::cos, libm::cos, &[(-PI, -1.0), (0.0, 1.0), (PI, -1.0)], Intrinsic::Cos);
-    m.follow(a, result, slope::cos, Intrinsic::Cos.row().accuracy)
+    let classes = m.promise.classes(Intrinsic::Cos);
+    let result = wave(a, scalar::cos, libm::cos, 0.0, classes);
+    m.follow(a, result, slope::cos, classes)
 }
 
 /// Seen from the origin, the box of arguments spans angles; where it meets the cut, all of them.
@@ -191,18 +154,27 @@ pub(super) fn atan2(m: &Shadow, y: Float, x: Float) -> Float {
             above(angles.into_iter().fold(f64::NEG_INFINITY, f64::max)),
         )
     };
-    let accuracy = Intrinsic::Atan2.row().accuracy;
-    let result = match widen(accuracy, (0.0, 0.0), results) {
+    let classes = m.promise.classes(Intrinsic::Atan2);
+    let result = match widen(classes, (0.0, 0.0), results) {
         Some((low, high)) => Float::closed(value, exact, low, high),
         None => Float::unbounded(value, exact),
     };
-    match own(accuracy, (0.0, 0.0), result) {
+    match own(classes, (0.0, 0.0), result) {
         Some(error) if !cut => m.link(result, error, slope::atan2(y, x)),
         _ => m.source(result),
     }
 }
 
 impl Shadow {
+    /// The same where the model promises the function `intrinsic` at all.
+    fn inherited(&self, intrinsic: Intrinsic, formula: Float, value: f32, exact: f64) -> Float {
+        if self.promise.holds(intrinsic) {
+            self.inherit(formula, value, exact)
+        } else {
+            Float::unbounded(value, exact)
+        }
+    }
+
     /// The interval of `formula`; value and exact value of their own.
     pub(super) fn inherit(&self, formula: Float, value: f32, exact: f64) -> Float {
         if formula.bounded() {
@@ -223,14 +195,17 @@ fn inherited_or_absolute(
     f: fn(f64) -> f64,
     intrinsic: Intrinsic,
 ) -> Float {
-    let inherited = m.inherit(formula, native(a.value), f(a.exact));
-    match intrinsic.row().accuracy {
-        Accuracy::InheritedOrAbsolute(_, error) if inherited.bounded() => {
-            let (low, high) = absolute(error, ends(a, f));
+    let inherited = m.inherited(intrinsic, formula, native(a.value), f(a.exact));
+    let classes = m.promise.classes(intrinsic);
+    if !(inherited.bounded() && classes.iter().any(is_number)) {
+        return inherited;
+    }
+    match widen(classes, (a.low, a.high), ends(a, f)) {
+        Some((low, high)) => {
             let (low, high) = (low.min(inherited.low), high.max(inherited.high));
             m.source(Float::closed(inherited.value, inherited.exact, low, high))
         }
-        _ => inherited,
+        None => Float::unbounded(inherited.value, inherited.exact),
     }
 }
 
@@ -247,30 +222,30 @@ pub(super) fn tanh(m: &Shadow, a: Float) -> Float {
 }
 
 pub(super) fn tan(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::tan(m, a), scalar::tan(a.value), libm::tan(a.exact))
+    m.inherited(Intrinsic::Tan, formula::tan(m, a), scalar::tan(a.value), libm::tan(a.exact))
 }
 
 pub(super) fn sinh(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::sinh(m, a), scalar::sinh(a.value), libm::sinh(a.exact))
+    m.inherited(Intrinsic::Sinh, formula::sinh(m, a), scalar::sinh(a.value), libm::sinh(a.exact))
 }
 
 pub(super) fn cosh(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::cosh(m, a), scalar::cosh(a.value), libm::cosh(a.exact))
+    m.inherited(Intrinsic::Cosh, formula::cosh(m, a), scalar::cosh(a.value), libm::cosh(a.exact))
 }
 
 pub(super) fn asinh(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::asinh(m, a), scalar::asinh(a.value), libm::asinh(a.exact))
+    m.inherited(Intrinsic::Asinh, formula::asinh(m, a), scalar::asinh(a.value), libm::asinh(a.exact))
 }
 
 pub(super) fn acosh(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::acosh(m, a), scalar::acosh(a.value), libm::acosh(a.exact))
+    m.inherited(Intrinsic::Acosh, formula::acosh(m, a), scalar::acosh(a.value), libm::acosh(a.exact))
 }
 
 pub(super) fn atanh(m: &Shadow, a: Float) -> Float {
-    m.inherit(formula::atanh(m, a), scalar::atanh(a.value), libm::atanh(a.exact))
+    m.inherited(Intrinsic::Atanh, formula::atanh(m, a), scalar::atanh(a.value), libm::atanh(a.exact))
 }
 
 pub(super) fn pow(m: &Shadow, x: Float, y: Float) -> Float {
     let exact = if x.exact < 0.0 { f64::NAN } else { libm::pow(x.exact, y.exact) };
-    m.inherit(formula::pow(m, x, y), scalar::pow(x.value, y.value), exact)
+    m.inherited(Intrinsic::Pow, formula::pow(m, x, y), scalar::pow(x.value, y.value), exact)
 }

@@ -3,8 +3,9 @@
 //! Ends are computed in f64 and rounded outwards to f32, which is as far as a correctly rounded result can
 //! be; an end that f64 itself had to round is first moved outwards by one f64 step.
 
+use super::promise::Quotient;
 use super::round::{down, ulp, up};
-use super::{Float, MIN_NORMAL, Place};
+use super::{Float, Place};
 
 /// The sum of two ends and the direction in which the true one lies.
 fn sum(a: f64, b: f64) -> (f64, f64) {
@@ -76,15 +77,14 @@ pub(super) fn square(a: Float) -> Float {
     product(value, exact, (least, low.max(high)), single(a.low) && single(a.high))
 }
 
-pub(super) fn div(a: Float, b: Float) -> Float {
-    const LARGEST_DIVISOR: f64 = 8.507059173023462e37; // 2^126
+pub(super) fn div(a: Float, b: Float, promise: Quotient) -> Float {
     let (value, exact) = (a.value / b.value, a.exact / b.exact);
     let smallest = b.low.max(-b.high);
     let largest = b.high.max(-b.low);
-    if !(a.bounded() && smallest >= MIN_NORMAL && largest <= LARGEST_DIVISOR) {
+    if !(a.bounded() && smallest >= promise.from && largest <= promise.to) {
         return Float::unbounded(value, exact);
     }
     let quotients = extremes([a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high]);
-    let (low, high) = ulp(2.5, quotients);
+    let (low, high) = ulp(promise.ulps, quotients);
     Float::closed(value, exact, low, high)
 }

@@ -3,11 +3,11 @@
 //! A float is `{ value, exact, low, high }`: what strict f32 gives, what the formula gives in real numbers
 //! (f64), and an interval.
 //! **Claim:** whatever implementation evaluates the function while it keeps the accuracy rules of
-//! [`lobe_codegen::intrinsics`], its number lies in `low ..= high`; so `max(high - exact, exact - low)`
+//! a model of [`lobe_codegen::accuracy`], its number lies in `low ..= high`; so `max(high - exact, exact - low)`
 //! bounds its error.
 //! The claim holds for arguments and is kept by every operation: the interval of the result holds the exact
 //! result of every choice of operands from their intervals ([`interval`]), widened by the operation's
-//! accuracy class ([`round`]).
+//! accuracy class ([`promise`], [`round`]).
 //! Since each operation allows for all operands, second-order terms are no matter; since the interval holds
 //! the exact result of operands that were not rounded before, contraction to fused multiply-add is covered.
 //!
@@ -29,7 +29,10 @@
 //! - Errors in ULP do not change the sign of a result, and an ULP of zero is zero.
 //! - `sqrt` is `1 / inverse_sqrt(x)`, which at zero would be `1 / inf`, which no rule bounds; we let arguments
 //!   that reach below the normal numbers give results in `0 ..= sqrt(high)`, widened.
-//! - `sin` and `cos` keep their promise up to the f32 that is nearest to pi.
+//! - `atan2` keeps its promise wherever the angle is known; read to the letter, WGSL makes none on the axes, so none of
+//!   `acos(0)`.
+//! - `normalize` is `x / length(x)`, which is looser than the `x * inverse_sqrt(dot(x, x))` of Vulkan.
+//! - `sin` and `cos` keep their promise up to the f32 that is nearest to an end of the range.
 //! - Once a number has no bound (overflow, a pole, a domain left), nothing computed from it has one, not even
 //!   `clamp` of it: it may be NaN.
 
@@ -39,23 +42,32 @@ mod elementary;
 mod interval;
 mod model;
 mod pieces;
+mod promise;
 mod round;
 mod slope;
 mod tape;
 
+use lobe_codegen::accuracy;
+use promise::Promise;
 use std::cell::RefCell;
 use tape::{Place, Slope, Tape};
 
-/// The model: what it remembers of a batch.
-#[derive(Debug, Default)]
+/// The model: what it remembers of a batch, and what drivers promise.
+#[derive(Debug)]
 pub(super) struct Shadow {
     tape: RefCell<Tape>,
+    promise: Promise,
 }
 
 impl Shadow {
-    /// A model that forgets: its bounds are those of the intervals.
-    pub(super) fn forgetful() -> Self {
-        Self { tape: RefCell::new(Tape::with_capacity(0)) }
+    /// A model of drivers that keep to `accuracy`.
+    pub(super) fn new(accuracy: &'static accuracy::Model) -> Self {
+        Self { tape: RefCell::default(), promise: Promise::of(accuracy) }
+    }
+
+    /// The same, but it forgets: its bounds are those of the intervals.
+    pub(super) fn forgetful(accuracy: &'static accuracy::Model) -> Self {
+        Self { tape: RefCell::new(Tape::with_capacity(0)), promise: Promise::of(accuracy) }
     }
 }
 

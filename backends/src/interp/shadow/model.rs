@@ -4,6 +4,7 @@ use super::round::{down, up};
 use super::slope::{only, rounded, rounded_product, rounded_sum};
 use super::tape::Slope;
 use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope};
+use crate::interp::formula;
 use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
 use crate::interp::program::Scalar;
@@ -208,6 +209,9 @@ impl Model for Shadow {
     }
     /// `a - b * trunc(a / b)`
     fn rem(&self, a: Float, b: Float) -> Float {
+        if !self.promise.remainder {
+            return Float::unbounded(a.value % b.value, a.exact % b.exact);
+        }
         let formula = self.sub(a, self.mul(b, self.trunc(self.div(a, b))));
         self.inherit(formula, a.value % b.value, a.exact % b.exact)
     }
@@ -216,8 +220,21 @@ impl Model for Shadow {
     }
     fn div(&self, a: Float, b: Float) -> Float {
         let b = if b.low <= 0.0 && b.high >= 0.0 { self.tightened(b) } else { b };
-        let quotient = interval::div(a, b);
-        self.link(quotient, slope::divided(quotient, [a, b]), slope::div(a, b, quotient.exact))
+        let promise = self.promise.quotient;
+        let quotient = interval::div(a, b, promise);
+        self.link(quotient, slope::divided(quotient, [a, b], promise.ulps), slope::div(a, b, quotient.exact))
+    }
+    fn mix(&self, x: Float, y: Float, t: Float) -> Float {
+        let mixed = formula::mix(self, x, y, t);
+        if !self.promise.lerp {
+            return mixed;
+        }
+        let other = formula::lerp(self, x, y, t);
+        if !(mixed.bounded() && other.bounded()) {
+            return Float::unbounded(mixed.value, mixed.exact);
+        }
+        let (low, high) = (mixed.low.min(other.low), mixed.high.max(other.high));
+        self.source(Float::closed(mixed.value, mixed.exact, low, high))
     }
     fn fract(&self, a: Float) -> Float {
         let part = pieces::fract(a);

@@ -155,8 +155,12 @@ pub(super) fn rounded_product(result: Float, [a, b]: [Float; 2]) -> f64 {
 }
 
 /// Own error of a quotient; see [`super::interval::div`].
-pub(super) fn divided(result: Float, operands: [Float; 2]) -> f64 {
-    if operands.into_iter().all(known) { result.bound() } else { largest_ulp(2.5, (result.low, result.high)) }
+pub(super) fn divided(result: Float, operands: [Float; 2], ulps: f64) -> f64 {
+    if operands.into_iter().all(known) {
+        result.bound()
+    } else {
+        largest_ulp(ulps, (result.low, result.high))
+    }
 }
 
 /// Distance of neighbouring floats below `size`.
