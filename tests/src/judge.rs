@@ -15,6 +15,7 @@ use crate::value::RowError;
 use lobe_backends::executor::{ExecError, Executor};
 use lobe_backends::interp::ShadowColumns;
 use lobe_backends::route::Route;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::FunctionRef;
 use std::path::PathBuf;
@@ -35,6 +36,8 @@ pub struct Plan {
     pub mapping: Mapping,
     /// Whether to look for mistakes of the kernels themselves.
     pub sanitize: bool,
+    /// What drivers are permitted.
+    pub accuracy: &'static Model,
 }
 
 /// Why a kernel could not be judged.
@@ -97,7 +100,7 @@ fn answers(
     progress: &dyn Fn(usize),
     report: &mut KernelReport,
 ) -> Result<Vec<Answer>, JudgeError> {
-    let subject = Subject::new(kernel)?;
+    let subject = Subject::new(kernel)?.with_accuracy(plan.accuracy);
     if subject.program().results().is_empty() {
         return Err(JudgeError::NoResult { kernel: subject.def().name });
     }

@@ -2,6 +2,7 @@
 
 use lobe_backends::executor::{ExecError, Program};
 use lobe_backends::interp::{ShadowColumn, ShadowColumns};
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::{FunctionDef, FunctionRef};
 
@@ -37,6 +38,12 @@ impl Subject {
             .map(|row| Ok(Budget { path: row.path, text: row.text, program: Program::new(row.function)? }))
             .collect::<Result<_, ExecError>>()?;
         Ok(Self { program, budgets })
+    }
+
+    /// The same, but drivers are permitted what `accuracy` permits.
+    #[must_use]
+    pub fn with_accuracy(self, accuracy: &'static Model) -> Self {
+        Self { program: self.program.with_accuracy(accuracy), ..self }
     }
 
     /// The kernel, ready to run.

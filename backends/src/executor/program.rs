@@ -3,6 +3,7 @@
 use super::ExecError;
 use crate::interp::{Checks, Finding, Interpreter, ShadowColumns};
 use lobe_codegen::ValidModule;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::{Columns, Leaf, leaves};
 use lobe_codegen::def::{FunctionDef, FunctionRef};
 
@@ -13,6 +14,7 @@ pub struct Program {
     handle: naga::Handle<naga::Function>,
     params: Vec<Leaf>,
     results: Vec<Leaf>,
+    accuracy: &'static Model,
     pub(super) artifacts: super::gpu_route::Artifacts,
 }
 
@@ -34,8 +36,15 @@ impl Program {
             handle,
             params: def.params.iter().flat_map(|p| leaves(p.name, &p.ty)).collect(),
             results: def.ret.iter().flat_map(|ty| leaves("", ty)).collect(),
+            accuracy: Model::portable(),
             artifacts: Default::default(),
         })
+    }
+
+    /// The same, but drivers are permitted what `accuracy` permits, instead of [`Model::portable`].
+    #[must_use]
+    pub fn with_accuracy(self, accuracy: &'static Model) -> Self {
+        Self { accuracy, ..self }
     }
 
     /// The definition.
@@ -79,7 +88,7 @@ impl Program {
     /// # Errors
     /// When the interpreter does not know something in the module.
     pub fn interpreter(&self) -> Result<Interpreter<'_>, ExecError> {
-        let made = Interpreter::new(&self.module);
+        let made = Interpreter::new(&self.module).map(|made| made.with_accuracy(self.accuracy));
         made.map_err(|cause| ExecError::Interp { kernel: self.name(), cause: cause.into() })
     }
 

@@ -1,9 +1,11 @@
 //! `lobe check`: the four questions.
 
 use crate::fail::{Fail, Outcome};
+use crate::model;
 use crate::output::{self, Format};
 use crate::route::{self, RouteArgs};
 use crate::select;
+use lobe_codegen::accuracy::Model;
 use lobe_tests::cases::Cases;
 use lobe_tests::judge::{Plan, judge};
 use lobe_tests::oracle::Mapping;
@@ -23,6 +25,9 @@ pub(crate) struct Args {
     /// Look for mistakes of the kernels too: division by zero, NaN out of numbers, a place outside an array, ..
     #[arg(long)]
     sanitize: bool,
+    /// What drivers are permitted, by specification; see `lobe list --operations`
+    #[arg(long, value_name = "MODEL", default_value = "portable", value_parser = model::parser())]
+    model: &'static Model,
     #[command(flatten)]
     routes: RouteArgs,
     /// Form of the report
@@ -43,8 +48,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         cases: Cases::standard(),
         mapping: Mapping::standard()?,
         sanitize: args.sanitize,
+        accuracy: args.model,
     };
-    let mut report = Report::new("check", args.seed);
+    let mut report = Report::new("check", args.seed).with_accuracy(args.model);
     report.routes = opened.names();
     let bar = output::progress(kernels.len() * plan.inputs);
     for kernel in kernels {

@@ -1,8 +1,10 @@
-//! `lobe list`: the kernels and what they promise.
+//! `lobe list`: the kernels and what they promise; the operations and what is promised of them.
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use crate::select;
+use crate::{model, operations};
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::def::{Domain, FunctionDef};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -12,6 +14,12 @@ use std::fmt::Write;
 pub(crate) struct Args {
     /// Kernels to list; all when none is named
     kernels: Vec<String>,
+    /// List the operations instead, with what each specification permits drivers, and where it says so
+    #[arg(long, conflicts_with = "kernels")]
+    operations: bool,
+    /// Only by this specification
+    #[arg(long, value_name = "MODEL", requires = "operations", value_parser = model::parser())]
+    model: Option<&'static Model>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = ListFormat::Human)]
     format: ListFormat,
@@ -19,6 +27,11 @@ pub(crate) struct Args {
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    if args.operations {
+        let models: Vec<&Model> = args.model.map_or_else(|| Model::all().iter().collect(), |one| vec![one]);
+        output::print(&operations::listing(&models, args.format))?;
+        return Ok(Outcome::Holds);
+    }
     let kernels = select::kernels(&args.kernels)?;
     output::print(&match args.format {
         ListFormat::Human => kernels.iter().map(|k| human(k())).collect(),

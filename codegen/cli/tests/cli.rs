@@ -164,6 +164,39 @@ fn listing_is_complete_and_touches_no_driver() {
     assert!(sg_eval["domain"].as_array().expect("domains").len() >= 4, "{sg_eval}");
 }
 
+#[test]
+fn operations_are_listed_with_what_each_specification_says() {
+    let listed = assert_holds(&lobe(&["list", "--operations", "--format", "json"]));
+    let listed: serde_json::Value = serde_json::from_str(&listed).expect("JSON");
+    let models = listed["models"].as_array().expect("models");
+    let names: Vec<_> = models.iter().filter_map(|m| m["name"].as_str()).collect();
+    assert_eq!(names, ["portable", "wgsl", "vulkan", "hlsl"]);
+    for model in models {
+        let operations = model["operations"].as_array().expect("operations");
+        assert!(operations.len() > 50 && operations.iter().all(|row| row["section"].is_string()), "{model}");
+    }
+    let human = assert_holds(&lobe(&["list", "--operations", "--model", "hlsl"]));
+    assert!(human.starts_with("hlsl: ") && human.contains("D3D11.3 22.10.20, sincos"), "{human}");
+    assert_fails(&lobe(&["list", "--operations", "sg_eval"]), 2, &["cannot be used with"]);
+}
+
+#[test]
+fn bounds_are_derived_by_the_specification_that_is_asked_for() {
+    let check = |rest: &[&str]| {
+        let args = [&["check", "sg_eval", "--inputs", "200"][..], rest, &STRICT].concat();
+        assert_holds(&lobe(&args))
+    };
+    let robust = |text: &str| text.lines().find(|line| line.contains("robust")).map(str::to_owned);
+    let (default, hlsl) = (check(&[]), check(&["--model", "hlsl"]));
+    assert_ne!(robust(&default), robust(&hlsl));
+    assert!(hlsl.contains("accuracy model hlsl") && !default.contains("accuracy model"), "{hlsl}");
+    assert_eq!(default, check(&["--model", "portable"]));
+    let json: serde_json::Value =
+        serde_json::from_str(&check(&["--model", "wgsl", "--format", "json"])).expect("JSON");
+    assert_eq!(json["model"], "wgsl");
+    assert_fails(&lobe(&["check", "--model", "metal"]), 2, &["portable, wgsl, vulkan, hlsl"]);
+}
+
 const STRICT: [&str; 4] = ["--route", "native", "--route", "interp"];
 
 #[test]

@@ -48,6 +48,24 @@ fn assert_ends(name: &str, bytes: &[u8], status: &str, part: &str) {
 }
 
 #[test]
+fn drivers_drawn_by_a_specification_are_judged_by_it() {
+    let wgsl = "@group(0) @binding(0) var<storage, read_write> x: array<f32>;
+        @compute @workgroup_size(64) fn main(@builtin(local_invocation_index) i: u32) {
+            x[i] = exp(x[i]) * sin(3.0 * x[i]) / (2.0 + x[i]);
+        }";
+    let folder = folder(&[("a.wgsl", wgsl.as_bytes())]);
+    for model in ["portable", "wgsl", "vulkan", "hlsl"] {
+        let (reports, _, _) = batch(folder.path(), &["--model", model, "--route", "perturbed:1"]);
+        let expected = (model != "portable").then_some(model);
+        assert_eq!((reports[0]["status"].as_str(), reports[0]["model"].as_str()), (Some("ok"), expected));
+        let permitted = &reports[0]["routes"].to_string();
+        assert!(permitted.contains("perturbed:1"), "{permitted}");
+    }
+    let refused = lobe(&["run", &at(&folder, "a.wgsl"), "--model", "metal"]);
+    assert_fails(&refused, 2, &["portable, wgsl, vulkan, hlsl"]);
+}
+
+#[test]
 fn a_shader_runs_on_its_data_and_leaves_its_results() {
     let wgsl = "
         struct Item { flag: i32, color: vec3<f32> }

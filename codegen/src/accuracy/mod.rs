@@ -114,6 +114,11 @@ impl Model {
         &MODELS[0]
     }
 
+    /// Its name, unless it is the default.
+    pub fn unusual_name(&self) -> Option<&'static str> {
+        (self.name != Self::portable().name).then_some(self.name)
+    }
+
     /// The model of this name.
     pub fn named(name: &str) -> Option<&'static Self> {
         Self::all().iter().find(|model| model.name == name)

@@ -141,9 +141,10 @@ pub fn summary(report: &Report, style: Style) -> String {
     } else {
         style.paint(Paint::Bad, "nothing was asked")
     };
+    let model = report.model.map(|name| format!(", accuracy model {name}")).unwrap_or_default();
     let _ = writeln!(
         out,
-        "{} kernels, seed {}: {verdict} ({} hold, {} expected failures, {} not asked, {} routes skipped)",
+        "{} kernels, seed {}{model}: {verdict} ({} hold, {} expected failures, {} not asked, {} routes skipped)",
         report.kernels.len(),
         report.seed,
         tally.hold,

@@ -6,6 +6,7 @@ pub mod junit;
 
 use crate::domain::Inputs;
 use crate::question::{Answer, Verdict};
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::def::FunctionDef;
 
 /// The outcome of a whole run.
@@ -19,6 +20,9 @@ pub struct Report {
     pub command: &'static str,
     /// Where the drawing of inputs began.
     pub seed: u64,
+    /// What drivers are permitted, where that is not the default: the name of an accuracy model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<&'static str>,
     /// Routes that ran.
     pub routes: Vec<String>,
     /// Routes that could have run and did not.
@@ -79,11 +83,18 @@ impl Report {
             version: env!("CARGO_PKG_VERSION"),
             command,
             seed,
+            model: None,
             routes: Vec::new(),
             skipped: Vec::new(),
             kernels: Vec::new(),
             unmapped: Default::default(),
         }
+    }
+
+    /// The same of a run in which drivers were permitted what `accuracy` permits.
+    #[must_use]
+    pub fn with_accuracy(self, accuracy: &Model) -> Self {
+        Self { model: accuracy.unusual_name(), ..self }
     }
 
     /// Counts the answers.

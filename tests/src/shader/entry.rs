@@ -13,6 +13,7 @@ use super::routes::{Routes, ShaderRoute, Subject};
 use super::run::{Res, Steps, Stop, stop};
 use lobe_backends::gpu::BindingKind;
 use lobe_codegen::ValidModule;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::foreign::{self, Override, Source};
 use std::time::Duration;
 
@@ -59,6 +60,16 @@ impl<'t, 's> Trial<'t, 's> {
         trial.report
     }
 
+    /// What the job permits drivers.
+    fn accuracy(&mut self) -> Res<&'static Model> {
+        let Some(name) = &self.steps.job.model else { return Ok(Model::portable()) };
+        let Some(model) = Model::named(name) else {
+            return stop(Status::Error, format!("no accuracy model `{name}`"));
+        };
+        self.report.model = model.unusual_name().map(str::to_owned);
+        Ok(model)
+    }
+
     fn judge(&mut self, source: &Source, module: &ValidModule, entry: &str) -> Res<()> {
         self.steps.begin(Some(entry), "interp")?;
         let job = self.steps.job;
@@ -78,7 +89,8 @@ impl<'t, 's> Trial<'t, 's> {
         self.report.workgroup_size = points[index].workgroup_size;
         let given = self.fill(&resources)?;
         let (workgroups, fuel) = (job.workgroups, job.fuel);
-        let machine = Machine { module: &isolated, entry: index, workgroups, fuel, given: &given };
+        let accuracy = self.accuracy()?;
+        let machine = Machine { module: &isolated, entry: index, workgroups, fuel, accuracy, given: &given };
         let ours = machine.run(None).map_err(|error| located(error, source))?;
         write(job, &given, &ours)?;
         let subject = Subject {

@@ -33,6 +33,9 @@ pub struct Job {
     pub overrides: Vec<(String, f64)>,
     /// Routes to compare with; all that are ready when empty.
     pub routes: Vec<String>,
+    /// What drivers are permitted: the name of an accuracy model; the default where there is none.
+    #[serde(default)]
+    pub model: Option<String>,
     /// Rounds of loops that a batch of invocations, or a workgroup, may run.
     pub fuel: u64,
     /// Seconds that each step may take.

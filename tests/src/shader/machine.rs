@@ -6,6 +6,7 @@ use super::number;
 use super::report::Mistake;
 use lobe_backends::interp::{Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowWord};
 use lobe_codegen::ValidModule;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::validate::lacking;
 use naga::Scalar;
 use naga::valid::Capabilities;
@@ -21,6 +22,8 @@ pub struct Machine<'m> {
     pub workgroups: [u32; 3],
     /// Rounds of loops that a batch may run.
     pub fuel: u64,
+    /// What drivers are permitted.
+    pub accuracy: &'static Model,
     /// What it is given.
     pub given: &'m [Given],
 }
@@ -113,7 +116,7 @@ impl Machine<'_> {
         work: impl FnOnce(Interpreter<'_>) -> Result<T, InterpError>,
     ) -> Result<T, MachineError> {
         let outcome = lobe_codegen::quietly(|| {
-            let machine = Interpreter::new(self.module)?.with_fuel(self.fuel);
+            let machine = Interpreter::new(self.module)?.with_fuel(self.fuel).with_accuracy(self.accuracy);
             work(subgroup.map_or_else(|| machine.clone(), |n| machine.clone().with_subgroup_size(n)))
         });
         Ok(outcome.map_err(MachineError::Panicked)??)

@@ -63,6 +63,9 @@ pub struct Report {
     pub workgroup_size: [u32; 3],
     /// Workgroups.
     pub workgroups: [u32; 3],
+    /// What drivers were permitted, where that is not the default: the name of an accuracy model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model: Option<String>,
     /// What the resources held.
     pub inputs: Vec<Input>,
     /// Mistakes of the program itself.
@@ -217,6 +220,7 @@ impl Report {
             message: Some(message),
             workgroup_size: [0; 3],
             workgroups: [0; 3],
+            model: None,
             inputs: Vec::new(),
             findings: Vec::new(),
             routes: Vec::new(),

@@ -3,6 +3,7 @@
 
 use lobe_backends::executor::{ExecError, Executor, Interp, Native, Program};
 use lobe_backends::route::Route;
+use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::FunctionRef;
 use lobe_tests::cases::Cases;
@@ -14,7 +15,14 @@ use lobe_tests::report::KernelReport;
 /// A plan without files: nothing listed, no table mapped.
 pub(crate) fn plan(inputs: usize) -> Plan {
     let mapping = Mapping::parse(r#"{"version": 1, "entries": []}"#).expect("a mapping");
-    Plan { inputs, seed: 7, cases: Cases::at("no-such-folder"), mapping, sanitize: false }
+    Plan {
+        inputs,
+        seed: 7,
+        cases: Cases::at("no-such-folder"),
+        mapping,
+        sanitize: false,
+        accuracy: Model::portable(),
+    }
 }
 
 /// The report on `kernel`, native and interpreted.

@@ -43,11 +43,14 @@ fn monotone(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, from: f64, clas
 
 pub(super) fn exp(m: &Shadow, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Exp);
-    if !classes.iter().all(is_number) {
-        return m.inherit(formula::exp(m, a), scalar::exp(a.value), libm::exp(a.exact));
-    }
-    let result = monotone(a, scalar::exp, libm::exp, f64::NEG_INFINITY, classes);
-    m.follow(a, result, slope::exp, classes)
+    m.composed(
+        classes,
+        |m| formula::exp(m, a),
+        |m| {
+            let result = monotone(a, scalar::exp, libm::exp, f64::NEG_INFINITY, classes);
+            m.follow(a, result, slope::exp, classes)
+        },
+    )
 }
 
 pub(super) fn exp2(m: &Shadow, a: Float) -> Float {
@@ -58,12 +61,15 @@ pub(super) fn exp2(m: &Shadow, a: Float) -> Float {
 
 pub(super) fn log(m: &Shadow, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Log);
-    if !classes.iter().all(is_number) {
-        return m.inherit(formula::log(m, a), scalar::log(a.value), libm::log(a.exact));
-    }
-    let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::log, libm::log, MIN_NORMAL, classes);
-    m.follow(a, result, slope::log, classes)
+    m.composed(
+        classes,
+        |m| formula::log(m, a),
+        |m| {
+            let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
+            let result = monotone(a, scalar::log, libm::log, MIN_NORMAL, classes);
+            m.follow(a, result, slope::log, classes)
+        },
+    )
 }
 
 pub(super) fn log2(m: &Shadow, a: Float) -> Float {
@@ -166,6 +172,32 @@ pub(super) fn atan2(m: &Shadow, y: Float, x: Float) -> Float {
 }
 
 impl Shadow {
+    /// The worse of a formula and of what a function is `by_itself`, as far as the classes have either.
+    fn composed(
+        &self,
+        classes: &[Accuracy],
+        formula: impl FnOnce(&Self) -> Float,
+        by_itself: impl FnOnce(&Self) -> Float,
+    ) -> Float {
+        let result = by_itself(self);
+        if classes.iter().all(is_number) {
+            return result;
+        }
+        let inherited = self.inherit(formula(self), result.value, result.exact);
+        if !classes.iter().any(is_number) || !inherited.bounded() {
+            return inherited;
+        }
+        self.hull(result, inherited)
+    }
+
+    /// Either of two numbers, of which the first has the value and the exact value.
+    pub(super) fn hull(&self, a: Float, b: Float) -> Float {
+        if !(a.bounded() && b.bounded()) {
+            return Float::unbounded(a.value, a.exact);
+        }
+        self.source(Float::closed(a.value, a.exact, a.low.min(b.low), a.high.max(b.high)))
+    }
+
     /// The same where the model promises the function `intrinsic` at all.
     fn inherited(&self, intrinsic: Intrinsic, formula: Float, value: f32, exact: f64) -> Float {
         if self.promise.holds(intrinsic) {

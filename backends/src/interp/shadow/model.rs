@@ -229,12 +229,7 @@ impl Model for Shadow {
         if !self.promise.lerp {
             return mixed;
         }
-        let other = formula::lerp(self, x, y, t);
-        if !(mixed.bounded() && other.bounded()) {
-            return Float::unbounded(mixed.value, mixed.exact);
-        }
-        let (low, high) = (mixed.low.min(other.low), mixed.high.max(other.high));
-        self.source(Float::closed(mixed.value, mixed.exact, low, high))
+        self.hull(mixed, formula::lerp(self, x, y, t))
     }
     fn fract(&self, a: Float) -> Float {
         let part = pieces::fract(a);

@@ -134,7 +134,7 @@ fn widen_by(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Op
 /// The own error of a result, as [`widen`] has it; `None` where it is not of one size.
 pub(super) fn own(classes: &[Accuracy], argument: (f64, f64), result: Float) -> Option<f64> {
     let mut worst = 0.0_f64;
-    for class in classes {
+    for class in classes.iter().filter(|class| is_number(class)) {
         worst = worst.max(own_by(*class, argument, result)?);
     }
     Some(worst)

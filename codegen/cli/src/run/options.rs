@@ -1,5 +1,7 @@
 //! Options of one shader, on the command line or in a list.
 
+use crate::model;
+use lobe_codegen::accuracy::Model;
 use lobe_tests::shader::feed::Feed;
 use lobe_tests::shader::job::{Entry, Job};
 use lobe_tests::shader::texture::{SamplerWords, Sketch};
@@ -43,6 +45,9 @@ pub(super) struct JobArgs {
     /// Look for mistakes of the program itself: out of bounds, races, division by zero, ..
     #[arg(long)]
     sanitize: bool,
+    /// What drivers are permitted, by specification; see `lobe list --operations` [default: portable]
+    #[arg(long, value_name = "MODEL", value_parser = model::parser())]
+    model: Option<&'static Model>,
     /// Value of a pipeline-overridable constant, by name or @id
     #[arg(long = "override", value_name = "NAME=VALUE", value_parser = named::<f64>)]
     overrides: Vec<(String, f64)>,
@@ -71,6 +76,7 @@ impl JobArgs {
             samplers: self.samplers.clone(),
             within: self.within.clone(),
             sanitize: self.sanitize,
+            model: self.model.map(|model| model.name.to_owned()),
             overrides: self.overrides.clone(),
             routes: self.routes.clone(),
             fuel: self.fuel.unwrap_or(FUEL),
@@ -99,6 +105,7 @@ impl JobArgs {
             samplers: [common.samplers.clone(), self.samplers].concat(),
             within: [common.within.clone(), self.within].concat(),
             sanitize: self.sanitize || common.sanitize,
+            model: self.model.or(common.model),
             overrides: [common.overrides.clone(), self.overrides].concat(),
             routes: if self.routes.is_empty() { common.routes.clone() } else { self.routes },
             fuel: self.fuel.or(common.fuel),

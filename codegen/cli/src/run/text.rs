@@ -56,10 +56,11 @@ pub(super) fn whole(report: &Report) -> String {
     }
     let size = |sides: [u32; 3]| sides.map(|n| n.to_string()).join("x");
     let mut text = format!(
-        "{}: {} workgroups of {} invocations\n",
+        "{}: {} workgroups of {} invocations{}\n",
         subject(report),
         size(report.workgroups),
-        size(report.workgroup_size)
+        size(report.workgroup_size),
+        report.model.as_ref().map(|name| format!(", accuracy model {name}")).unwrap_or_default()
     );
     for input in &report.inputs {
         text += &format!("  input  {} ({}) {} bytes, {}\n", input.name, input.place, input.bytes, input.from);
