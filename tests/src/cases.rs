@@ -5,7 +5,9 @@ use crate::judge::JudgeError;
 use crate::value::parse_rows;
 use lobe_codegen::data::{Columns, leaves};
 use lobe_codegen::def::FunctionDef;
-use std::io::ErrorKind;
+use serde_json::Value;
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// The folder of cases.
@@ -40,12 +42,31 @@ impl Cases {
         self.0.join("oracle").join(format!("{name}.jsonl"))
     }
 
+    /// Where the rows of a kernel are listed.
+    #[must_use]
+    pub fn rows(&self, kernel: &str) -> PathBuf {
+        self.0.join(format!("{kernel}.jsonl"))
+    }
+
+    /// Lists more rows of a kernel: arguments as `lobe eval` reads them.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn keep<'a>(&self, kernel: &str, rows: impl IntoIterator<Item = &'a Value>) -> std::io::Result<()> {
+        let lines: String = rows.into_iter().map(|row| format!("{row}\n")).collect();
+        if lines.is_empty() {
+            return Ok(());
+        }
+        let mut file = OpenOptions::new().create(true).append(true).open(self.rows(kernel))?;
+        file.write_all(lines.as_bytes())
+    }
+
     /// The listed rows of `kernel`: arguments as `lobe eval` reads them. A kernel without a file has none.
     ///
     /// # Errors
     /// When the file cannot be read, or a row of it is malformed.
     pub fn listed(&self, kernel: &FunctionDef) -> Result<Columns, JudgeError> {
-        let path = self.0.join(format!("{}.jsonl", kernel.name));
+        let path = self.rows(kernel.name);
         match std::fs::read_to_string(&path) {
             Ok(text) => parse_rows(kernel, &text).map_err(|cause| JudgeError::Listed { path, cause }),
             Err(e) if e.kind() == ErrorKind::NotFound => {

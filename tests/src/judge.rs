@@ -10,6 +10,7 @@ use crate::question::robust::Robust;
 use crate::question::sanitized::Sanitized;
 use crate::question::{Answer, Batch, Question, Verdict};
 use crate::report::KernelReport;
+use crate::search::{Hunt, Limit};
 use crate::subject::{Permitted, Subject};
 use crate::value::RowError;
 use lobe_backends::executor::{ExecError, Executor};
@@ -38,6 +39,8 @@ pub struct Plan {
     pub sanitize: bool,
     /// What drivers are permitted.
     pub accuracy: &'static Model,
+    /// How long to look for worse rows than those drawn, if at all.
+    pub search: Option<Limit>,
 }
 
 /// Why a kernel could not be judged.
@@ -108,10 +111,16 @@ fn answers(
     let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
     report.take_inputs(&inputs);
     let mut questions = Questions::new(routes, plan.sanitize);
+    let mut hunt = plan.search.map(|limit| (Hunt::default(), limit));
     each_batch(&subject, &inputs.args, routes, &mut |batch| {
         questions.ask(batch);
+        hunt.iter_mut().for_each(|(hunt, _)| hunt.absorb(batch));
         progress(batch.args.rows);
     })?;
+    if let Some((mut hunt, limit)) = hunt {
+        hunt.run(&subject, (limit, plan.seed), routes, &mut |batch| questions.ask(batch))?;
+        report.search = Some(hunt.finish(subject.def()));
+    }
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
     answers.extend(questions.finish(&subject));
     Ok(answers)

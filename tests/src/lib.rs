@@ -15,6 +15,7 @@ pub mod operations;
 pub mod oracle;
 pub mod question;
 pub mod report;
+pub mod search;
 pub mod shader;
 pub mod subject;
 pub mod throughput;

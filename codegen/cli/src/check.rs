@@ -9,7 +9,9 @@ use lobe_codegen::accuracy::Model;
 use lobe_tests::cases::Cases;
 use lobe_tests::judge::{Plan, judge};
 use lobe_tests::oracle::Mapping;
-use lobe_tests::report::{Report, human, json, junit};
+use lobe_tests::report::{KernelReport, Report, human, json, junit};
+use lobe_tests::search::Limit;
+use std::time::Duration;
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -25,6 +27,12 @@ pub(crate) struct Args {
     /// Look for mistakes of the kernels too: division by zero, NaN out of numbers, a place outside an array, ..
     #[arg(long)]
     sanitize: bool,
+    /// Look for so many seconds, for each kernel, for rows that are worse than those drawn
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
+    search: Option<u64>,
+    /// List the rows that the search found to be worse in the folder of cases, so that every check takes them
+    #[arg(long, requires = "search")]
+    keep: bool,
     /// What drivers are permitted, by specification; see `lobe list --operations`
     #[arg(long, value_name = "MODEL", default_value = "portable", value_parser = model::parser())]
     model: &'static Model,
@@ -49,6 +57,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         mapping: Mapping::standard()?,
         sanitize: args.sanitize,
         accuracy: args.model,
+        search: args.search.map(|seconds| Limit::Time(Duration::from_secs(seconds))),
     };
     let mut report = Report::new("check", args.seed).with_accuracy(args.model);
     report.routes = opened.names();
@@ -64,11 +73,21 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
                 ))
             })?;
         }
+        if args.keep {
+            keep(&plan.cases, &found)?;
+        }
         report.kernels.push(found);
     }
     bar.finish_and_clear();
     report.skipped = opened.skipped;
     finish(&report, args.format)
+}
+
+/// Lists the rows that the search found to be worse than all before.
+fn keep(cases: &Cases, found: &KernelReport) -> Result<(), Fail> {
+    let finds = found.search.iter().flat_map(|search| &search.finds);
+    let new = finds.filter(|find| find.is_new()).map(|find| &find.args);
+    cases.keep(&found.name, new).map_err(|cause| Fail::Write { path: cases.rows(&found.name), cause })
 }
 
 /// Prints what is not printed yet, and ends the run.

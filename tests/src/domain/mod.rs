@@ -2,11 +2,13 @@
 //!
 //! The same kernel, count and seed give the same rows, on every machine.
 
+mod near;
 mod number;
 mod rng;
 mod slot;
 pub(crate) mod unit;
 
+pub use near::Neighbours;
 pub use rng::Rng;
 pub use slot::{DomainError, Relation, Slot, Values, slots};
 

@@ -60,6 +60,39 @@ pub(super) fn random(scalar: Scalar, values: &Values, rng: &mut Rng) -> u32 {
     at(scalar, values, fraction, by_exponent)
 }
 
+/// A word near another of the values: a few representable numbers on, a share of it or of the range away, at an edge,
+/// or anywhere.
+pub(super) fn near(scalar: Scalar, values: &Values, from: u32, rng: &mut Rng) -> u32 {
+    let Values::Range(lo, hi) = *values else {
+        return random(scalar, values, rng);
+    };
+    let share = 10f64.powf(-7.0 * rng.unit()) * rng.normal();
+    let steps = 2f64.powf(20.0 * rng.unit()).floor() * if rng.one_in(2) { 1.0 } else { -1.0 };
+    match (rng.below(8), scalar) {
+        (0, _) => {
+            let edges = edges(scalar, values);
+            edges[rng.below(edges.len())]
+        }
+        (1, _) => random(scalar, values, rng),
+        (2 | 3, Scalar::F32) => {
+            stepped(f32::from_bits(from), steps as i32).clamp(lo as f32, hi as f32).to_bits()
+        }
+        (4..=6, Scalar::F32) => finish(scalar, lo, hi, f64::from(f32::from_bits(from)) * (1.0 + share)),
+        (_, Scalar::F32) => finish(scalar, lo, hi, f64::from(f32::from_bits(from)) + (hi - lo) * share),
+        (_, Scalar::I32) => finish(scalar, lo, hi, f64::from(from as i32) + steps),
+        (_, Scalar::U32 | Scalar::Bool) => finish(scalar, lo, hi, f64::from(from) + steps),
+    }
+}
+
+/// The float so many representable numbers on, among finite ones.
+fn stepped(from: f32, steps: i32) -> f32 {
+    // In order of value: the bits of a negative number count down.
+    let order = |bits: i32| if bits < 0 { i32::MIN - bits } else { bits };
+    let most = order(f32::MAX.to_bits() as i32);
+    let to = order(from.to_bits() as i32).saturating_add(steps).clamp(-most, most);
+    f32::from_bits(order(to) as u32)
+}
+
 fn is_wide(lo: f64, hi: f64) -> bool {
     (lo <= 0.0 && hi >= 0.0 && lo < hi) || lo.abs().max(hi.abs()) > WIDE * lo.abs().min(hi.abs())
 }
@@ -89,5 +122,29 @@ fn finish(scalar: Scalar, lo: f64, hi: f64, value: f64) -> u32 {
     match scalar {
         Scalar::F32 => (value as f32).clamp(lo as f32, hi as f32).to_bits(),
         Scalar::I32 | Scalar::U32 | Scalar::Bool => word(scalar, value.round().clamp(lo, hi)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_count_representable_numbers_through_zero() {
+        assert_eq!(stepped(1.0, 1), 1.0f32.next_up());
+        assert_eq!(stepped(-1.0, 1), (-1.0f32).next_up());
+        assert_eq!(stepped(f32::from_bits(1), -2), -f32::from_bits(1));
+        assert_eq!(stepped(f32::MAX, 5), f32::MAX);
+    }
+
+    #[test]
+    fn what_is_near_stays_in_the_range() {
+        let mut rng = Rng::new(7, "near");
+        let values = Values::Range(-0.5, 3.0);
+        let mut x = 1.0f32.to_bits();
+        for _ in 0..10_000 {
+            x = near(Scalar::F32, &values, x, &mut rng);
+            assert!((-0.5..=3.0).contains(&f32::from_bits(x)), "{}", f32::from_bits(x));
+        }
     }
 }

@@ -54,6 +54,23 @@ pub(super) fn random(n: usize, earlier: &[&[f32]], rng: &mut Rng) -> Vec<f32> {
     at_angle(other, flip - angle, rng)
 }
 
+/// A vector at a log-uniform angle to `from`.
+pub(super) fn near(from: &[f32], rng: &mut Rng) -> Vec<f32> {
+    at_angle(from, std::f64::consts::PI * 10f64.powf(-8.0 * rng.unit()), rng)
+}
+
+/// The part of `vector` that is perpendicular to `z`, of length one; something else perpendicular if there is none.
+pub(super) fn made_normal_to(z: &[f32], vector: &[f32]) -> Vec<f32> {
+    let z = normalised(&z.iter().map(|c| f64::from(*c)).collect::<Vec<_>>());
+    let along: f64 = vector.iter().zip(&z).map(|(v, z)| f64::from(*v) * z).sum();
+    let aside: Vec<f64> = vector.iter().zip(&z).map(|(v, z)| f64::from(*v) - along * z).collect();
+    if aside.iter().map(|c| c * c).sum::<f64>() > 1e-12 {
+        return rounded(&aside);
+    }
+    let axis: &[f32] = if z[0].abs() < 0.5 { &[1.0, 0.0, 0.0] } else { &[0.0, 1.0, 0.0] };
+    made_normal_to(&z.iter().map(|c| *c as f32).collect::<Vec<_>>(), axis)
+}
+
 /// A random vector perpendicular to `z`.
 pub(super) fn normal_to(z: &[f32], rng: &mut Rng) -> Vec<f32> {
     at_angle(z, std::f64::consts::FRAC_PI_2, rng)

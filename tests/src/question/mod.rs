@@ -11,6 +11,7 @@ pub mod robust;
 pub mod sanitized;
 mod worst;
 
+pub(crate) use worst::float;
 pub use worst::{Extreme, Sample, Worst, ulp};
 
 use crate::subject::{Permitted, Subject};

@@ -2,6 +2,7 @@
 
 use super::{KernelReport, Report, Skipped};
 use crate::question::{Answer, Question, Verdict, Worst};
+use crate::search::{Aim, Found};
 use std::fmt::Write;
 
 /// How to write.
@@ -60,6 +61,29 @@ pub fn render_kernel(kernel: &KernelReport, style: Style) -> String {
         {
             let _ = writeln!(out, "               {}", worst_line(&kernel.name, worst));
         }
+    }
+    kernel.search.iter().for_each(|found| out += &searched(&kernel.name, found));
+    out
+}
+
+/// What a search found beyond the rows that were drawn.
+fn searched(kernel: &str, found: &Found) -> String {
+    let mut out = format!("     {:<10} {} rows near the worst\n", "search", found.rows);
+    for find in &found.finds {
+        let what = match find.aim {
+            Aim::Bound => "bound, of the budget or the value",
+            Aim::Error => "error, of the bound",
+            Aim::Difference => "between routes, in ULP",
+        };
+        let (drawn, worst) = (short(find.drawn), short(find.found));
+        let _ = match find.is_new() {
+            true => writeln!(
+                out,
+                "               {what}: {drawn} drawn, {worst} found   echo '{}' | lobe eval {kernel} --args -",
+                find.args
+            ),
+            false => writeln!(out, "               {what}: {drawn} drawn, nothing worse found"),
+        };
     }
     out
 }

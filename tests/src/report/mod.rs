@@ -6,6 +6,7 @@ pub mod junit;
 
 use crate::domain::Inputs;
 use crate::question::{Answer, Verdict};
+use crate::search::Found;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::def::FunctionDef;
 
@@ -59,6 +60,9 @@ pub struct KernelReport {
     pub listed: usize,
     /// The answers, in the order of the questions.
     pub answers: Vec<Answer>,
+    /// The worst rows, where they were looked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<Found>,
 }
 
 /// Answers by verdict.
@@ -132,13 +136,22 @@ impl KernelReport {
             inputs: 0,
             listed: 0,
             answers: Vec::new(),
+            search: None,
         }
     }
 
     /// A report of a kernel that does not exist.
     #[must_use]
     pub fn unknown(name: &str) -> Self {
-        Self { name: name.to_owned(), family: "", cite: "", inputs: 0, listed: 0, answers: Vec::new() }
+        Self {
+            name: name.to_owned(),
+            family: "",
+            cite: "",
+            inputs: 0,
+            listed: 0,
+            answers: Vec::new(),
+            search: None,
+        }
     }
 
     pub(crate) fn take_inputs(&mut self, inputs: &Inputs) {
