@@ -8,7 +8,8 @@
 @compute @workgroup_size(8, 8)
 fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {
     let x = f32(i) / 64.0;
-    textureStore(ten, id.xy, vec4<f32>(x, 1.0 - x, x * x, x));
+    // No alpha lies between two of its four codes.
+    textureStore(ten, id.xy, vec4<f32>(x, 1.0 - x, x * x, 1.0 - x * 0.75));
     textureStore(whole, id.xy, vec4<u32>(i * 16u, 1023u - i, i, i & 3u));
     textureStore(eleven, id.xy, vec4<f32>(x, x * x, x - 0.5, 0.0));
 }

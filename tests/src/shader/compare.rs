@@ -16,6 +16,13 @@ pub enum Permit {
         /// Largest distance.
         bound: f64,
     },
+    /// A code in a texel whose numbers are, or are not, so near to the interpreter's.
+    Texel {
+        /// Whether they are.
+        is_near: bool,
+        /// Largest distance.
+        bound: f64,
+    },
     /// Nothing is known about it.
     Unknown,
 }
@@ -116,7 +123,7 @@ impl Compared {
                 found: number::text(scalar, theirs),
                 ulp,
                 bound: match permit {
-                    Permit::Around { bound, .. } => Some(bound),
+                    Permit::Around { bound, .. } | Permit::Texel { bound, .. } => Some(bound),
                     Permit::Bits | Permit::Unknown => None,
                 },
             });
@@ -129,6 +136,8 @@ fn standing(scalar: Scalar, theirs: &[u8], permit: Permit) -> Standing {
     match permit {
         Permit::Bits => Standing::Beyond,
         Permit::Unknown => Standing::Unjudged,
+        Permit::Texel { is_near: true, .. } => Standing::Within,
+        Permit::Texel { is_near: false, .. } => Standing::Beyond,
         Permit::Around { exact, bound } => {
             let found = number::float(scalar.width, theirs);
             let is_within = bound.is_infinite() || found == exact || (found - exact).abs() <= bound;

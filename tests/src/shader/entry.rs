@@ -11,6 +11,7 @@ use super::report::{Input, Report, RouteReport, RouteStatus, Status};
 use super::resource::{self, Resource};
 use super::routes::{Routes, ShaderRoute, Subject};
 use super::run::{Res, Steps, Stop, stop};
+use super::texture;
 use lobe_backends::gpu::BindingKind;
 use lobe_codegen::ValidModule;
 use lobe_codegen::accuracy::Model;
@@ -268,6 +269,10 @@ fn compare_all(
             (Permit::Unknown, Some(bound)) if number::is_float(scalar) => {
                 let exact = number::float(scalar.width, &ours[at..at + usize::from(scalar.width)]);
                 Permit::Around { exact, bound }
+            }
+            (Permit::Unknown, Some(bound)) if given.is_coded => {
+                let is_near = |format| texture::is_near(format, at, [ours, theirs], bound);
+                given.format().map_or(Permit::Unknown, |f| Permit::Texel { is_near: is_near(f), bound })
             }
             (permit, _) => permit,
         };

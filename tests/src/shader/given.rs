@@ -4,7 +4,7 @@ use super::resource::place;
 use super::shape::Shape;
 use lobe_backends::gpu::{Access, Binding, BindingKind};
 use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, IMMEDIATES, Resources};
-use lobe_backends::texture::{Texture, TextureError};
+use lobe_backends::texture::{Format, Texture, TextureError};
 
 /// A resource with its bytes.
 #[derive(Debug, Clone)]
@@ -36,6 +36,18 @@ impl Given {
     #[must_use]
     pub fn is_immediate(&self) -> bool {
         (self.group, self.binding) == IMMEDIATES
+    }
+
+    /// The format of its texels, if it is a texture.
+    #[must_use]
+    pub fn format(&self) -> Option<Format> {
+        match self.kind {
+            BindingKind::Texture(shape) | BindingKind::StorageTexture(shape, _) => Some(shape.format),
+            BindingKind::Uniform
+            | BindingKind::StorageRead
+            | BindingKind::StorageReadWrite
+            | BindingKind::Sampler(_) => None,
+        }
     }
 
     /// Whether the shader may write it.

@@ -244,6 +244,22 @@ pub fn channels(shape: TextureShape) -> (Shape, bool) {
     (list(list(list(texel, w, bytes, false), h, row, false), d * shape.layers, page, false), is_coded)
 }
 
+/// Whether the numbers of the texel around byte `at` are no further apart than `bound`, channel by channel.
+///
+/// Coded numbers only: codes that are integers are none.
+#[must_use]
+pub fn is_near(format: Format, at: usize, [ours, theirs]: [&[u8]; 2], bound: f64) -> bool {
+    let begin = at - at % format.bytes();
+    let numbers = |bytes: &[u8]| {
+        let texel = bytes.iter().skip(begin).take(format.bytes()).rev();
+        let numbers = format.decode(texel.fold(0, |texel, byte| texel << 8 | u128::from(*byte)));
+        numbers.map(|bits| f64::from(f32::from_bits(bits as u32)))
+    };
+    let (ours, theirs) = (numbers(ours), numbers(theirs));
+    let is_near = |a: f64, b: f64| a == b || a.is_nan() && b.is_nan() || (a - b).abs() <= bound;
+    ours.into_iter().zip(theirs).all(|(a, b)| is_near(a, b))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -261,6 +277,24 @@ mod tests {
         }
         for text in ["", "cubic", "lod:2:1"] {
             assert!(text.parse::<SamplerWords>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn packed_texels_are_near_if_each_channel_is() {
+        let format = Format::named("rg11b10ufloat").unwrap();
+        let texel = |numbers: [f32; 3]| {
+            let [r, g, b] = numbers.map(|x| u64::from(x.to_bits()));
+            [vec![0; 4], format.encode([r, g, b, 0]).to_le_bytes()[..4].to_vec()].concat()
+        };
+        let ours = texel([1.0, 0.5, 0.25]);
+        for (theirs, bound, expected) in [
+            ([1.0, 0.5, 0.25], 0.0, true),
+            ([1.015625, 0.5, 0.25], 0.02, true),
+            ([1.015625, 0.5, 0.25], 0.01, false),
+            ([1.0, 0.5, 0.3125], 0.02, false),
+        ] {
+            assert_eq!(is_near(format, 6, [&ours, &texel(theirs)], bound), expected, "{theirs:?} {bound}");
         }
     }
 
