@@ -12,6 +12,28 @@ fn rows(text: &str, native: impl Fn(u32) -> u32) {
     }
 }
 
+/// What is computed before another variable takes the old value must not be in its place too early.
+#[test]
+fn variables_of_a_loop_swap() {
+    for (body, step) in [
+        ("let t = y; y = x; x = t;", (|x, y| (y, x)) as fn(u32, u32) -> (u32, u32)),
+        ("y = x; x = 7u - (y + y);", |x, _| (7u32.wrapping_sub(x.wrapping_add(x)), x)),
+        ("let t = x + y; x = y; y = t;", |x, y| (y, x.wrapping_add(y))),
+    ] {
+        let text = format!(
+            "fn f(a: u32) -> u32 {{
+                var x = a; var y = a * 5u;
+                for (var i = 0u; i < 3u; i++) {{ {body} }}
+                return x ^ (y << 16u);
+            }}"
+        );
+        rows(&text, |a| {
+            let (x, y) = (0..3).fold((a, a * 5), |(x, y), _| step(x, y));
+            x ^ y << 16
+        });
+    }
+}
+
 #[test]
 fn early_returns_mask_the_rest() {
     rows(
