@@ -247,10 +247,11 @@ impl<'m> Interpreter<'m> {
         f: Handle<Function>,
         args: &Columns,
         exact: Option<&[Vec<f64>]>,
-        model: fn(&'static Model) -> shadow::Shadow,
+        model: fn(shadow::Promise) -> shadow::Shadow,
     ) -> Result<ShadowColumns, InterpError> {
         let code = judge::Code::new(self.lowered(f, args, exact, Reader::Judge)?);
-        judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(|| model(self.accuracy))
+        let promise = shadow::Promise::of(self.accuracy);
+        judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(|| model(promise))
     }
 
     /// Runs `f` by the judge.
@@ -331,7 +332,9 @@ impl<'m> Interpreter<'m> {
         resources: impl Into<Resources<'a>>,
     ) -> Result<Vec<ShadowBuffer>, InterpError> {
         let mut resources = resources.into();
-        self.dispatches(entry, groups, Reader::Judge, |d| d.shadow(self.accuracy, &mut resources))
+        self.dispatches(entry, groups, Reader::Judge, |d| {
+            d.shadow(shadow::Promise::of(self.accuracy), &mut resources)
+        })
     }
 
     /// Runs entry point `entry` as a permitted driver would that errs by chance; the same seed gives the same results.

@@ -6,7 +6,7 @@
 use super::super::finding::{Checks, Finding};
 use super::super::model::Model;
 use super::super::resources::{Found, Resources};
-use super::super::shadow::Shadow;
+use super::super::shadow::{Promise, Shadow};
 use super::super::strict::Strict;
 use super::super::{ShadowBuffer, ShadowWord};
 use super::atomic::Order;
@@ -14,7 +14,6 @@ use super::input::Inputs;
 use super::memory::{Cell, Shared};
 use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
-use lobe_codegen::accuracy;
 
 /// A dispatch of a program.
 pub(in super::super) struct Dispatch<'a> {
@@ -57,11 +56,11 @@ impl Dispatch<'_> {
     /// The words of buffers that the program may write, with their bounds.
     pub(in super::super) fn shadow(
         &self,
-        accuracy: &'static accuracy::Model,
+        promise: Promise,
         resources: &mut Resources<'_>,
     ) -> Res<Vec<ShadowBuffer>> {
         let Left { model: m, memory } =
-            self.everything(resources, |_| Shadow::new(accuracy), detach, &mut None)?;
+            self.everything(resources, |_| Shadow::new(promise), detach, &mut None)?;
         let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
         let mut left: Vec<_> = written
             .filter_map(|(buffer, shared)| {

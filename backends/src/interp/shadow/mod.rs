@@ -47,8 +47,8 @@ mod round;
 mod slope;
 mod tape;
 
-use lobe_codegen::accuracy;
-use promise::Promise;
+pub(super) use promise::Promise;
+
 use std::cell::RefCell;
 use tape::{Place, Slope, Tape};
 
@@ -60,14 +60,14 @@ pub(super) struct Shadow {
 }
 
 impl Shadow {
-    /// A model of drivers that keep to `accuracy`.
-    pub(super) fn new(accuracy: &'static accuracy::Model) -> Self {
-        Self { tape: RefCell::default(), promise: Promise::of(accuracy) }
+    /// A model of drivers that keep a promise.
+    pub(super) fn new(promise: Promise) -> Self {
+        Self { tape: RefCell::default(), promise }
     }
 
     /// The same, but it forgets: its bounds are those of the intervals.
-    pub(super) fn forgetful(accuracy: &'static accuracy::Model) -> Self {
-        Self { tape: RefCell::new(Tape::with_capacity(0)), promise: Promise::of(accuracy) }
+    pub(super) fn forgetful(promise: Promise) -> Self {
+        Self { tape: RefCell::new(Tape::with_capacity(0)), promise }
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) struct Quotient {
 
 /// A model, with what is asked of it at every quotient and every root.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Promise {
+pub(in crate::interp) struct Promise {
     model: &'static Model,
     pub(super) quotient: Quotient,
     /// Error of a square root, in ULP.
@@ -32,7 +32,7 @@ pub(super) struct Promise {
 }
 
 impl Promise {
-    pub(super) fn of(model: &'static Model) -> Self {
+    pub(in crate::interp) fn of(model: &'static Model) -> Self {
         let quotient = quotient(model);
         Self {
             model,
@@ -89,6 +89,9 @@ fn root(model: &Model, quotient: f64) -> f64 {
 
 /// Widens the exact results for arguments of `low ..= high` by the worst of the classes that are numbers.
 pub(super) fn widen(classes: &[Accuracy], argument: (f64, f64), results: (f64, f64)) -> Option<(f64, f64)> {
+    if let [class] = classes {
+        return widen_by(*class, argument, results);
+    }
     let mut wide = results;
     for class in classes.iter().filter(|class| is_number(class)) {
         let (low, high) = widen_by(*class, argument, results)?;
@@ -133,6 +136,9 @@ fn widen_by(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Op
 
 /// The own error of a result, as [`widen`] has it; `None` where it is not of one size.
 pub(super) fn own(classes: &[Accuracy], argument: (f64, f64), result: Float) -> Option<f64> {
+    if let [class] = classes {
+        return own_by(*class, argument, result);
+    }
     let mut worst = 0.0_f64;
     for class in classes.iter().filter(|class| is_number(class)) {
         worst = worst.max(own_by(*class, argument, result)?);
