@@ -26,6 +26,7 @@ pub mod names;
 pub mod prelude;
 pub mod scope;
 pub mod source;
+pub mod trace;
 pub mod types;
 pub mod validate;
 

@@ -7,6 +7,7 @@ pub mod cases;
 pub mod cost;
 pub mod domain;
 pub mod expectation;
+pub mod explain;
 pub mod figures;
 pub mod judge;
 pub mod measure;

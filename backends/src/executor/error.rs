@@ -62,6 +62,16 @@ pub enum ExecError {
         /// The emitter's words.
         cause: Cause,
     },
+    /// The route runs something else than a module.
+    #[error(
+        "{kernel}: the route {route} runs no module, so it tells nothing on the way; take `interp` or a driver"
+    )]
+    Untraced {
+        /// The kernel.
+        kernel: &'static str,
+        /// The route.
+        route: crate::route::Route,
+    },
     /// A foreign compiler is missing or refused the artifact.
     #[error("{kernel}: {cause}")]
     Translate {

@@ -1,5 +1,6 @@
 //! An emitted artifact on a driver: emit, translate, pack, dispatch, unpack.
 
+use super::trace::{self, Trace};
 use super::{ExecError, Executor, Program};
 use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
 use crate::route::{Road, Route};
@@ -7,6 +8,7 @@ use crate::translate::{Dxc, DxcOutput, spirv_words};
 use lobe_codegen::data::Columns;
 use lobe_codegen::emit::{self, Artifact, Content, EntryLayout, Options, Target};
 use lobe_codegen::layout::{pack, unpack};
+use lobe_codegen::trace::Traced;
 use std::sync::{Arc, OnceLock};
 
 /// Invocations in a workgroup.
@@ -97,6 +99,51 @@ impl Executor for GpuRoute {
         }
         Ok(out)
     }
+
+    fn trace(&mut self, kernel: &Program, traced: &Traced, args: &Columns) -> Result<Trace, ExecError> {
+        let source =
+            Source { kernel: kernel.name(), module: &traced.module, entry: &traced.layout.entry_name };
+        let words = source.words(self.road, self.dxc.as_deref())?;
+        trace::dispatch(&mut self.gpu, words.shader(), kernel.name(), traced, args)
+    }
+}
+
+/// A module with an entry point, on its way to a driver.
+struct Source<'a> {
+    kernel: &'static str,
+    module: &'a lobe_codegen::ValidModule,
+    entry: &'a str,
+}
+
+impl Source<'_> {
+    fn artifact(&self, target: Target) -> Result<Artifact, ExecError> {
+        emit::emit(self.module, target, &Options::default())
+            .map_err(|cause| ExecError::Emit { kernel: self.kernel, cause: cause.into() })
+    }
+
+    fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
+        Ok(match road {
+            Road::Spirv => content(self.artifact(Target::Spirv)?.content),
+            Road::WgslNaga => content(self.artifact(Target::Wgsl)?.content),
+            Road::HlslDxc => self.through_dxc(dxc)?,
+        })
+    }
+
+    fn through_dxc(&self, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
+        let fail = |cause| ExecError::Translate { kernel: self.kernel, cause };
+        let found;
+        let dxc = match dxc {
+            Some(dxc) => dxc,
+            None => {
+                found = Dxc::find().map_err(fail)?;
+                &found
+            }
+        };
+        let artifact = self.artifact(Target::Hlsl)?;
+        let text = artifact.content.text().unwrap_or_default();
+        let object = dxc.compile(text, "cs_6_0", Some(self.entry), DxcOutput::Spirv).map_err(fail)?;
+        spirv_words(&object).map(Words::Spirv).map_err(fail)
+    }
 }
 
 impl std::fmt::Debug for GpuRoute {
@@ -119,7 +166,7 @@ fn bind(group: u32, binding: u32, kind: BindingKind, data: &[u8]) -> Binding<'_>
 }
 
 /// A buffer for each parameter; the columns of `args` follow the parameters.
-fn pack_arguments(layout: &EntryLayout, args: &Columns) -> Vec<Vec<u8>> {
+pub(super) fn pack_arguments(layout: &EntryLayout, args: &Columns) -> Vec<Vec<u8>> {
     let mut rest = &args.columns[..];
     let buffers = layout.arguments.iter().map(|at| {
         let (own, others) = rest.split_at(at.leaves.len().min(rest.len()));
@@ -154,9 +201,12 @@ impl Program {
     /// # Errors
     /// When the kernel cannot be emitted.
     pub fn artifact(&self, target: Target) -> Result<Artifact, ExecError> {
-        let module = &self.entry()?.0;
-        emit::emit(module, target, &Options::default())
-            .map_err(|cause| ExecError::Emit { kernel: self.name(), cause: cause.into() })
+        self.source()?.artifact(target)
+    }
+
+    fn source(&self) -> Result<Source<'_>, ExecError> {
+        let (module, layout) = self.entry()?;
+        Ok(Source { kernel: self.name(), module, entry: &layout.entry_name })
     }
 
     fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<&Words, ExecError> {
@@ -164,29 +214,8 @@ impl Program {
         if let Some(ready) = place.get() {
             return Ok(ready);
         }
-        let made = match road {
-            Road::Spirv => content(self.artifact(Target::Spirv)?.content),
-            Road::WgslNaga => content(self.artifact(Target::Wgsl)?.content),
-            Road::HlslDxc => self.through_dxc(dxc)?,
-        };
+        let made = self.source()?.words(road, dxc)?;
         Ok(place.get_or_init(|| made))
-    }
-
-    fn through_dxc(&self, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
-        let fail = |cause| ExecError::Translate { kernel: self.name(), cause };
-        let found;
-        let dxc = match dxc {
-            Some(dxc) => dxc,
-            None => {
-                found = Dxc::find().map_err(fail)?;
-                &found
-            }
-        };
-        let entry = &self.entry()?.1.entry_name;
-        let artifact = self.artifact(Target::Hlsl)?;
-        let text = artifact.content.text().unwrap_or_default();
-        let object = dxc.compile(text, "cs_6_0", Some(entry), DxcOutput::Spirv).map_err(fail)?;
-        spirv_words(&object).map(Words::Spirv).map_err(fail)
     }
 }
 

@@ -5,6 +5,7 @@ mod gpu_route;
 mod interp;
 mod native;
 mod program;
+pub mod trace;
 
 pub use error::ExecError;
 pub use gpu_route::GpuRoute;
@@ -14,6 +15,7 @@ pub use program::Program;
 
 use crate::route::Route;
 use lobe_codegen::data::Columns;
+use lobe_codegen::trace::Traced;
 
 /// Runs kernels on one route.
 pub trait Executor {
@@ -25,4 +27,18 @@ pub trait Executor {
     /// # Errors
     /// When the arguments have another shape, or the route cannot run the kernel.
     fn run(&mut self, kernel: &Program, args: &Columns) -> Result<Columns, ExecError>;
+
+    /// Runs `traced`, the kernel's module with traces, on one row of `args`, the way [`Executor::run`] would run it.
+    ///
+    /// # Errors
+    /// As of [`Executor::run`], and when the route runs no modules.
+    fn trace(
+        &mut self,
+        kernel: &Program,
+        traced: &Traced,
+        args: &Columns,
+    ) -> Result<trace::Trace, ExecError> {
+        let _ = (traced, args);
+        Err(ExecError::Untraced { kernel: kernel.name(), route: self.route().clone() })
+    }
 }

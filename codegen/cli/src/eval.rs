@@ -47,7 +47,8 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     Ok(Outcome::Holds)
 }
 
-fn read(path: &PathBuf) -> Result<(String, String), Fail> {
+/// The name and text of a file, or of standard input.
+pub(crate) fn read(path: &PathBuf) -> Result<(String, String), Fail> {
     if path.as_os_str() == "-" {
         let mut text = String::new();
         let cause = std::io::stdin().read_to_string(&mut text);

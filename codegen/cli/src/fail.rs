@@ -5,6 +5,7 @@ use lobe_backends::routes::OpenError;
 use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
 use lobe_tests::expectation::ExpectationError;
+use lobe_tests::explain::ExplainError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::throughput::BenchError;
@@ -56,6 +57,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Expectation(#[from] ExpectationError),
     #[error(transparent)]
+    Explain(#[from] ExplainError),
+    #[error(transparent)]
     Judge(#[from] JudgeError),
     #[error(transparent)]
     Table(#[from] TableError),
@@ -106,6 +109,7 @@ impl Fail {
             | Self::Emit(_)
             | Self::Mapping(_)
             | Self::Judge(_)
+            | Self::Explain(_)
             | Self::Bench(_)
             | Self::Defect(_) => 1,
         }

@@ -7,6 +7,7 @@ mod check;
 mod doctor;
 mod emit;
 mod eval;
+mod explain;
 mod fail;
 mod figures;
 mod list;
@@ -42,6 +43,8 @@ enum Command {
     Emit(emit::Args),
     /// Run a kernel on rows of arguments
     Eval(eval::Args),
+    /// Name the operation that a wrong or poor result of a kernel comes from
+    Explain(explain::Args),
     /// Run a compute shader of your own on the interpreter and on every GPU route, and compare
     Run(Box<run::Args>),
     /// Ask kernels the four questions: correct, robust, conformant, agree
@@ -74,6 +77,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::List(args) => list::run(args),
         Command::Emit(args) => emit::run(args),
         Command::Eval(args) => eval::run(args),
+        Command::Explain(args) => explain::run(args),
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::run(args),
         Command::Oracle(args) => oracle::run(args),

@@ -10,7 +10,7 @@
 //! and counts for nothing.
 
 pub mod fault;
-mod operator;
+pub(crate) mod operator;
 pub mod proof;
 pub mod report;
 pub mod sites;

@@ -4,10 +4,10 @@ use super::fault::Kind;
 use naga::{BinaryOperator, Expression, Function, Handle, Literal, MathFunction, Module, UnaryOperator};
 
 /// A mistake: its kind, and what the expression becomes.
-pub(super) type Mistake = (Kind, Expression);
+pub(crate) type Mistake = (Kind, Expression);
 
 /// All mistakes at `expression`, of the same type if the module's types permit them at all.
-pub(super) fn mistakes(module: &Module, function: &Function, expression: &Expression) -> Vec<Mistake> {
+pub(crate) fn mistakes(module: &Module, function: &Function, expression: &Expression) -> Vec<Mistake> {
     match *expression {
         Expression::Literal(literal) => literals(literal),
         Expression::Constant(constant) => match module.global_expressions[module.constants[constant].init] {
