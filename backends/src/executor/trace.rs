@@ -97,6 +97,7 @@ pub(super) fn dispatch(
         workgroup_size: [traced.layout.workgroup_size, 1, 1],
         groups: [1, 1, 1],
         bindings: &bindings,
+        immediates: &[],
     });
     let outputs = outputs.map_err(|cause| ExecError::Gpu { kernel, cause })?;
     let is_written = |b: &&mut Buffer| matches!(kind(b.binding), BindingKind::StorageReadWrite);

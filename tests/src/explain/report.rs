@@ -3,7 +3,7 @@
 use super::chain::{Chain, Total};
 use super::line::{Line, lines};
 use super::local::{Judged, Local};
-use super::rule::rule;
+use super::rule::{EXACT, rule};
 use super::share::{Share, Shares};
 use super::value::{Place, Value};
 use super::{ExplainError, ulps};
@@ -278,7 +278,7 @@ impl Found<'_> {
                 Total::Word { wanted, .. } => [wanted, wanted].map(|w| self.shown(value.place, w)),
             }),
             contracted: judged.is_some_and(|j| j.contracted),
-            rule: rule(&own.expressions[expression]),
+            rule: if exact.is_some() { rule(&own.expressions[expression]) } else { EXACT.to_owned() },
             effect: None,
         }
     }

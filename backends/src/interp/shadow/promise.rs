@@ -166,3 +166,52 @@ fn own_by(accuracy: Accuracy, argument: (f64, f64), result: Float) -> Option<f64
         Accuracy::Inherited(_) | Accuracy::Nothing => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Intrinsic as I;
+
+    /// What the lane asks a model for; all else it takes for exact, correctly rounded, or a formula.
+    const LOOKED_UP: [Operation; 22] = [
+        Operation::Infix(BinaryOperator::Divide),
+        REMAINDER,
+        Operation::Builtin(I::Sqrt),
+        Operation::Builtin(I::InverseSqrt),
+        Operation::Builtin(I::Exp),
+        Operation::Builtin(I::Exp2),
+        Operation::Builtin(I::Log),
+        Operation::Builtin(I::Log2),
+        Operation::Builtin(I::Pow),
+        Operation::Builtin(I::Sin),
+        Operation::Builtin(I::Cos),
+        Operation::Builtin(I::Tan),
+        Operation::Builtin(I::Asin),
+        Operation::Builtin(I::Acos),
+        Operation::Builtin(I::Atan),
+        Operation::Builtin(I::Atan2),
+        Operation::Builtin(I::Sinh),
+        Operation::Builtin(I::Cosh),
+        Operation::Builtin(I::Tanh),
+        Operation::Builtin(I::Asinh),
+        Operation::Builtin(I::Acosh),
+        Operation::Builtin(I::Atanh),
+    ];
+
+    #[test]
+    fn what_the_lane_takes_for_granted_stands_in_every_table() {
+        for model in Model::all() {
+            for row in model.rows().iter().filter(|row| !LOOKED_UP.contains(&row.operation)) {
+                let is_granted =
+                    |c: &Accuracy| matches!(c, Accuracy::Exact | Accuracy::Correct | Accuracy::Inherited(_));
+                assert!(row.f32.iter().all(is_granted), "{}: {}", model.name, row.operation);
+            }
+        }
+    }
+
+    #[test]
+    fn a_root_costs_what_its_formula_does() {
+        let root = |name| Promise::of(Model::named(name).expect("a model")).root;
+        assert_eq!(["portable", "wgsl", "vulkan", "hlsl"].map(root), [4.5001, 4.5001, 4.5001, 1.0]);
+    }
+}
