@@ -118,7 +118,7 @@ fn answers(
         progress(batch.args.rows);
     })?;
     if let Some((mut hunt, limit)) = hunt {
-        hunt.run(&subject, (limit, plan.seed), routes, &mut |batch| questions.ask(batch))?;
+        hunt.run(&subject, (limit, plan.seed), routes, &mut |batch| questions.ask_of_found(batch))?;
         report.search = Some(hunt.finish(subject.def()));
     }
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
@@ -190,8 +190,18 @@ impl Questions {
     }
 
     fn ask(&mut self, batch: &Batch<'_>) {
-        self.approximation.absorb(batch);
         self.robust.absorb(batch);
+        self.ask_all_but_robust(batch);
+    }
+
+    /// Of rows that were looked for.
+    fn ask_of_found(&mut self, batch: &Batch<'_>) {
+        self.robust.absorb_found(batch);
+        self.ask_all_but_robust(batch);
+    }
+
+    fn ask_all_but_robust(&mut self, batch: &Batch<'_>) {
+        self.approximation.absorb(batch);
         self.conformant.absorb(batch);
         self.agree.absorb(batch);
         self.sanitized.iter_mut().for_each(|sanitized| sanitized.absorb(batch));

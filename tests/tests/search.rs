@@ -20,6 +20,12 @@ fn cancels_in_a_corner(x: f32, y: f32) -> f32 {
     1e-7 * x * x / (far * far + 1e-3)
 }
 
+/// Without a bound near one point.
+#[kernel(domain(x = 0.0..=1000.0), budget(1e-3 * abs(result)))]
+fn unbounded_at_a_point(x: f32) -> f32 {
+    1.0 + 1.0 / abs(x - 437.5)
+}
+
 /// A frame, turned.
 #[kernel(domain(z = unit, x = normal_to(z), y = cross(z, x), angle = -4.0..=4.0, n = 1..=9))]
 fn turned(z: Vec3, x: Vec3, y: Vec3, angle: f32, n: u32) -> f32 {
@@ -53,6 +59,14 @@ fn what_drawing_misses_is_found_and_judged() {
     assert!(robust(&report).falls_short(), "{:?}", report.search);
     let find = find(&report, Aim::Bound).expect("a find");
     assert!(find.is_new() && find.found > 1.0, "{find:?}");
+}
+
+#[test]
+fn where_the_bound_is_lost_a_search_goes_without_changing_the_share_that_drawing_measures() {
+    let report = searched(lobe_codegen::kernels![unbounded_at_a_point][0], 10);
+    let found = common::answer(&report, Question::Conformant);
+    assert!(found.indeterminate > 0, "{found:?}");
+    assert!(robust(&report).indeterminate == 0 && robust(&report).cases == 200, "{:?}", robust(&report));
 }
 
 #[test]

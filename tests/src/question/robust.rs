@@ -33,6 +33,14 @@ impl Robust {
         }
     }
 
+    /// Takes rows that were looked for: they lie where the bound is large or lost, so what share of them has none says
+    /// nothing.
+    pub fn absorb_found(&mut self, batch: &Batch<'_>) {
+        for row in (0..batch.args.rows).filter(|row| !is_unbounded(batch, *row)) {
+            self.over += usize::from(!self.is_within(batch, row));
+        }
+    }
+
     fn is_within(&mut self, batch: &Batch<'_>, row: usize) -> bool {
         let mut within = true;
         for (leaf, column) in batch.shadow.columns.iter().enumerate() {
@@ -77,7 +85,7 @@ impl Robust {
 
     fn shortfall(&self) -> Option<String> {
         if self.over > 0 {
-            return Some(format!("the bound exceeds the budget on {} of {} rows", self.over, self.rows));
+            return Some(format!("the bound exceeds the budget on {} rows, {} drawn", self.over, self.rows));
         }
         let limit = INDETERMINATE_LIMIT * self.rows as f64;
         (self.indeterminate as f64 > limit).then(|| {
