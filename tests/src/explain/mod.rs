@@ -10,7 +10,7 @@
 //! - [`share`]: what does each operation's own error do to the result? It is put into the kernel in real numbers, alone.
 //!   So the operation is found that spoils a result although it keeps its rule.
 //!
-//! [`line`] finds the lines of WGSL, SPIR-V and HLSL, [`rule`](mod@rule) says the rule, [`human`] writes the report.
+//! [`line`](mod@line) finds the lines of WGSL, SPIR-V and HLSL, [`rule`](mod@rule) says the rule, [`human`] writes the report.
 //!
 //! A trace makes a driver store what it would have kept in registers, so it may contract or reorder less than without:
 //! whether the results are the same bits is part of the answer.
