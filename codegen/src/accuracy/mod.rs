@@ -129,14 +129,19 @@ impl Model {
         &self.rows
     }
 
-    /// The row of an operation.
-    pub fn row(&self, operation: Operation) -> &Row {
-        &self.rows[operation.index()]
+    /// The row of an operation; one that does not compute with floats has none.
+    pub fn row(&self, operation: Operation) -> Option<&Row> {
+        self.rows.get(operation.index()?)
     }
 
-    /// The classes of a built-in function on `f32`; its error is the worst of them.
+    /// The classes of an operation on `f32`, whose error is the worst of them; what has no row is exact.
+    pub fn classes(&self, operation: Operation) -> &'static [Accuracy] {
+        self.row(operation).map_or(&[Accuracy::Exact], |row| row.f32)
+    }
+
+    /// The same of a built-in function.
     pub fn builtin(&self, intrinsic: Intrinsic) -> &'static [Accuracy] {
-        self.row(Operation::Builtin(intrinsic)).f32
+        self.classes(Operation::Builtin(intrinsic))
     }
 }
 

@@ -79,11 +79,13 @@ impl Operation {
         OPERATORS.into_iter().chain(builtins.map(|row| Self::Builtin(row.intrinsic)))
     }
 
-    /// Its place in [`Operation::all`].
-    pub(super) fn index(self) -> usize {
+    /// Its place in [`Operation::all`], if it computes with floats.
+    pub(super) fn index(self) -> Option<usize> {
         match self {
-            Self::Builtin(intrinsic) => PLACES[intrinsic as usize],
-            _ => OPERATORS.iter().position(|operator| *operator == self).unwrap_or_default(),
+            Self::Builtin(intrinsic) => {
+                computes_floats(intrinsic.row().shape).then(|| PLACES[intrinsic as usize])
+            }
+            _ => OPERATORS.iter().position(|operator| *operator == self),
         }
     }
 }

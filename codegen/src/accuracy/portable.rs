@@ -19,10 +19,10 @@ pub(super) fn of(name: &'static str, title: &'static str, models: &[&Model]) -> 
 }
 
 fn loosest(operation: Operation, models: &[&Model]) -> Row {
-    let of = |column: fn(&Row) -> &'static [Accuracy]| {
-        models.iter().flat_map(|model| column(model.row(operation))).copied().collect()
-    };
-    let sections: Vec<&str> = models.iter().map(|model| model.row(operation).section).collect();
+    let rows: Vec<&Row> = models.iter().filter_map(|model| model.row(operation)).collect();
+    let of =
+        |column: fn(&Row) -> &'static [Accuracy]| rows.iter().flat_map(|row| column(row)).copied().collect();
+    let sections: Vec<&str> = rows.iter().map(|row| row.section).collect();
     Row {
         operation,
         f32: kept(without_covered(of(|row| row.f32))),

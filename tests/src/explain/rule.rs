@@ -13,9 +13,8 @@ pub fn rule(expression: &Expression) -> String {
         Expression::Unary { op: UnaryOperator::Negate, .. } => Some(Operation::Negate),
         _ => None,
     };
-    match operation.filter(|wanted| Operation::all().any(|known| known == *wanted)) {
-        Some(operation) => {
-            let row = Model::portable().row(operation);
+    match operation.and_then(|operation| Model::portable().row(operation)) {
+        Some(row) => {
             let classes: Vec<String> = row.f32.iter().map(ToString::to_string).collect();
             format!("{} ({})", classes.join(" or "), row.section)
         }

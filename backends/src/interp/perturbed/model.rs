@@ -139,7 +139,7 @@ impl Model for Perturbed {
         Number { value: self.rounded(x * x), product: Some(x * x) }
     }
     fn div(&self, a: Number, b: Number) -> Number {
-        let divide = self.accuracy.row(Operation::Infix(BinaryOperator::Divide)).f32;
+        let divide = self.accuracy.classes(Operation::Infix(BinaryOperator::Divide));
         let divisor = self.operand(b);
         self.inexact(self.class(divide), divisor, self.operand(a) / divisor)
     }

@@ -38,7 +38,7 @@ impl Promise {
             model,
             quotient,
             root: root(model, quotient.ulps),
-            remainder: !model.row(REMAINDER).f32.contains(&Accuracy::Nothing),
+            remainder: !model.classes(REMAINDER).contains(&Accuracy::Nothing),
             lerp: model.builtin(Intrinsic::Mix).contains(&Accuracy::Inherited(LERP)),
         }
     }
@@ -56,7 +56,7 @@ impl Promise {
 
 /// The quotient of a model that promises none has no divisors.
 fn quotient(model: &Model) -> Quotient {
-    let divide = model.row(Operation::Infix(BinaryOperator::Divide)).f32;
+    let divide = model.classes(Operation::Infix(BinaryOperator::Divide));
     let known = |class: &Accuracy| match *class {
         Accuracy::UlpWhere { ulp, from, to } => Quotient { ulps: ulp, from, to },
         _ => Quotient { ulps: 0.0, from: f64::INFINITY, to: 0.0 },
