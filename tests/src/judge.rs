@@ -3,6 +3,7 @@
 use crate::cases::Cases;
 use crate::domain::{DomainError, Inputs};
 use crate::oracle::{self, Mapping};
+use crate::perturbed::Perturbed;
 use crate::question::agree::Agree;
 use crate::question::conformant::Conformant;
 use crate::question::correct::Approximation;
@@ -39,6 +40,8 @@ pub struct Plan {
     pub sanitize: bool,
     /// What drivers are permitted.
     pub accuracy: &'static Model,
+    /// Drivers drawn by chance that run every row too.
+    pub drivers: usize,
     /// How long to look for worse rows than those drawn, if at all.
     pub search: Option<Limit>,
 }
@@ -112,9 +115,11 @@ fn answers(
     report.take_inputs(&inputs);
     let mut questions = Questions::new(routes, plan.sanitize);
     let mut hunt = plan.search.map(|limit| (Hunt::default(), limit));
+    let mut perturbed = (plan.drivers > 0).then(|| Perturbed::new(plan.drivers, plan.seed));
     each_batch(&subject, &inputs.args, routes, &mut |batch| {
         questions.ask(batch);
         hunt.iter_mut().for_each(|(hunt, _)| hunt.absorb(batch));
+        perturbed.iter_mut().for_each(|perturbed| perturbed.absorb(batch));
         progress(batch.args.rows);
     })?;
     if let Some((mut hunt, limit)) = hunt {
@@ -123,6 +128,11 @@ fn answers(
     }
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
     answers.extend(questions.finish(&subject));
+    if let Some(perturbed) = perturbed {
+        let (answer, tightness) = perturbed.finish();
+        answers.push(answer);
+        report.tightness = tightness;
+    }
     Ok(answers)
 }
 

@@ -14,6 +14,7 @@ pub mod measure;
 pub mod mutation;
 pub mod operations;
 pub mod oracle;
+pub mod perturbed;
 pub mod question;
 pub mod report;
 pub mod search;

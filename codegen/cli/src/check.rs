@@ -27,6 +27,10 @@ pub(crate) struct Args {
     /// Look for mistakes of the kernels too: division by zero, NaN out of numbers, a place outside an array, ..
     #[arg(long)]
     sanitize: bool,
+    /// Run every row on so many drivers drawn by chance too, which err as far as they are permitted: says whether the
+    /// bounds are sound, and how tight
+    #[arg(long, value_name = "DRIVERS", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    perturbed: u32,
     /// Look for so many seconds, for each kernel, for rows that are worse than those drawn
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
     search: Option<u64>,
@@ -57,6 +61,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         mapping: Mapping::standard()?,
         sanitize: args.sanitize,
         accuracy: args.model,
+        drivers: args.perturbed as usize,
         search: args.search.map(|seconds| Limit::Time(Duration::from_secs(seconds))),
     };
     let mut report = Report::new("check", args.seed).with_accuracy(args.model);

@@ -14,7 +14,7 @@ mod compare;
 mod feed;
 pub mod lists;
 mod mapping;
-mod quantiles;
+pub(crate) mod quantiles;
 pub mod table;
 
 pub use mapping::{

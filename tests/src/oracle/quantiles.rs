@@ -5,12 +5,13 @@ use crate::question::{Answer, Question, Verdict};
 
 /// Judges `ratios` by `stated`; the label tells what was found.
 pub(super) fn answer(label: String, stated: &[Quantile], mut ratios: Vec<f64>, cases: usize) -> Answer {
-    if ratios.is_empty() || stated.is_empty() {
+    ratios.sort_by(f64::total_cmp);
+    let found: Vec<(Quantile, f64)> =
+        stated.iter().filter_map(|q| Some((*q, at(&ratios, q.share)?))).collect();
+    if found.is_empty() {
         let why = "no row with a value other than 0, or no quantile is stated".to_owned();
         return Answer::bare(Question::Correct, label, Verdict::FallsShort(why));
     }
-    ratios.sort_by(f64::total_cmp);
-    let found: Vec<(Quantile, f64)> = stated.iter().map(|q| (*q, at(&ratios, q.share))).collect();
     let figures: Vec<String> =
         found.iter().map(|(q, ratio)| format!("{} % {ratio:.4}", 100.0 * q.share)).collect();
     let label = format!("{label}: ratio {}", figures.join(", "));
@@ -27,10 +28,10 @@ pub(super) fn answer(label: String, stated: &[Quantile], mut ratios: Vec<f64>, c
     Answer { cases, ..Answer::bare(Question::Correct, label, verdict) }
 }
 
-/// The value that `share` of the sorted numbers do not exceed.
-fn at(sorted: &[f64], share: f64) -> f64 {
-    let last = sorted.len() - 1;
-    sorted[((share.clamp(0.0, 1.0) * last as f64).round() as usize).min(last)]
+/// The value that `share` of the sorted numbers do not exceed; `None` where there are none.
+pub(crate) fn at(sorted: &[f64], share: f64) -> Option<f64> {
+    let last = sorted.len().checked_sub(1)?;
+    sorted.get((share.clamp(0.0, 1.0) * last as f64).round() as usize).copied()
 }
 
 #[cfg(test)]
@@ -40,7 +41,8 @@ mod tests {
     #[test]
     fn quantiles_of_a_sorted_list() {
         let sorted = [1.0, 2.0, 3.0, 4.0, 5.0];
-        assert_eq!([0.0, 0.5, 0.75, 1.0].map(|s| at(&sorted, s)), [1.0, 3.0, 4.0, 5.0]);
+        assert_eq!([0.0, 0.5, 0.75, 1.0].map(|s| at(&sorted, s)), [1.0, 3.0, 4.0, 5.0].map(Some));
+        assert_eq!(at(&[], 0.5), None);
     }
 
     #[test]

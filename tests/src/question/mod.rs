@@ -147,7 +147,7 @@ impl Batch<'_> {
         self.shadow.indeterminate.get(row).copied().unwrap_or(false)
     }
 
-    fn worst(&self, row: usize, leaf: usize, sample: Sample) -> Worst {
+    pub(crate) fn worst(&self, row: usize, leaf: usize, sample: Sample) -> Worst {
         let path = &self.subject.program().results()[leaf].path;
         Worst::at(self.subject.def(), &self.args.row(row), path, sample)
     }

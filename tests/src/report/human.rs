@@ -1,6 +1,7 @@
 //! The report as text: a block for each kernel, a line for each answer.
 
 use super::{KernelReport, Report, Skipped};
+use crate::perturbed::{Overall, Tightness};
 use crate::question::{Answer, Question, Verdict, Worst};
 use crate::search::{Aim, Found};
 use std::fmt::Write;
@@ -62,8 +63,21 @@ pub fn render_kernel(kernel: &KernelReport, style: Style) -> String {
             let _ = writeln!(out, "               {}", worst_line(&kernel.name, worst));
         }
     }
+    kernel.tightness.iter().for_each(|tightness| out += &tight(tightness));
     kernel.search.iter().for_each(|found| out += &searched(&kernel.name, found));
     out
+}
+
+/// How tight the bounds are.
+fn tight(tightness: &Tightness) -> String {
+    let Tightness { drivers, least, median, most, .. } = tightness;
+    format!(
+        "     {:<10} {} x the worst of {drivers} drivers in the median, {} to {} in 95 %\n",
+        "tightness",
+        short(*median),
+        short(*least),
+        short(*most)
+    )
 }
 
 /// What a search found beyond the rows that were drawn.
@@ -157,6 +171,14 @@ pub fn summary(report: &Report, style: Style) -> String {
     }
     for (function, rows) in &report.unmapped {
         let _ = writeln!(out, "  skipped    {rows} rows of {function}: no kernel is mapped to it");
+    }
+    if let Some(Overall { kernels, runs, median, most }) = report.tightness() {
+        let (median, most) = (short(median), short(most));
+        let _ = writeln!(
+            out,
+            "  tightness  the bounds of {kernels} kernels are {median} x the worst of {runs} permitted runs in the \
+             median, {most} x at 95 % of the kernels"
+        );
     }
     let verdict = if report.holds() {
         style.paint(Paint::Good, "all holds")

@@ -5,6 +5,7 @@ pub mod json;
 pub mod junit;
 
 use crate::domain::Inputs;
+use crate::perturbed::{self, Overall, Tightness};
 use crate::question::{Answer, Verdict};
 use crate::search::Found;
 use lobe_codegen::accuracy::Model;
@@ -63,6 +64,9 @@ pub struct KernelReport {
     /// The worst rows, where they were looked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<Found>,
+    /// How tight the derived bounds are, where drivers drawn by chance ran.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tightness: Option<Tightness>,
 }
 
 /// Answers by verdict.
@@ -116,6 +120,12 @@ impl Report {
         tally
     }
 
+    /// How tight the derived bounds are, where drivers drawn by chance ran.
+    #[must_use]
+    pub fn tightness(&self) -> Option<Overall> {
+        perturbed::overall(&self.kernels)
+    }
+
     /// Whether all holds, and something was asked at all.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -137,6 +147,7 @@ impl KernelReport {
             listed: 0,
             answers: Vec::new(),
             search: None,
+            tightness: None,
         }
     }
 
@@ -151,6 +162,7 @@ impl KernelReport {
             listed: 0,
             answers: Vec::new(),
             search: None,
+            tightness: None,
         }
     }
 

@@ -22,6 +22,7 @@ pub(crate) fn plan(inputs: usize) -> Plan {
         mapping,
         sanitize: false,
         accuracy: Model::portable(),
+        drivers: 0,
         search: None,
     }
 }
