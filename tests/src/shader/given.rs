@@ -96,7 +96,7 @@ impl Owned {
                     owned.samplers.push(BoundSampler { group, binding, sampler });
                 }
                 BindingKind::Uniform | BindingKind::StorageRead | BindingKind::StorageReadWrite => {
-                    owned.buffers.push(Buffer { group, binding, data: data.clone() });
+                    owned.buffers.push(Buffer::copied(group, binding, data));
                 }
             }
         }

@@ -116,7 +116,7 @@ impl<'w> Subject<'w> {
         let bytes = |floats: &Vec<f32>| floats.iter().flat_map(|x| x.to_le_bytes()).collect();
         let data: Vec<Vec<u8>> =
             workload.inputs.iter().map(bytes).chain([vec![0; workload.items * 4]]).collect();
-        let buffer = |(binding, data): (u32, &Vec<u8>)| Buffer { group: 0, binding, data: data.clone() };
+        let buffer = |(binding, data): (u32, &Vec<u8>)| Buffer::copied(0, binding, data);
         let buffers = (0..).zip(&data).map(buffer).collect();
         Ok(Self { workload, interpreter, spirv, buffers, data })
     }

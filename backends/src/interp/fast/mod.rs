@@ -7,6 +7,7 @@
 //!   masks, [`together`] textures and subgroups.
 //! - [`allocate`] gives registers their slots, [`link`] makes a program into [`code`](Code): a list of function
 //!   pointers with their operands.
+//! - [`pages`] holds large buffers.
 //! - [`cache`] keeps code; [`rows`] runs code on rows of arguments, [`dispatch`] on workgroups over buffers.
 //!
 //! Lanes that are not active compute nonsense that nobody reads. No operation can fail, and each address
@@ -22,6 +23,7 @@ mod link;
 mod machine;
 mod memory;
 mod ops;
+pub(super) mod pages;
 pub(super) mod rows;
 mod shape;
 mod together;
