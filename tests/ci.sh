@@ -14,7 +14,7 @@ export LOBE_REQUIRE_TOOLS=1
 export INSTA_UPDATE=no
 [[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
 
-all=(setup format lint test doc check oracle measure throughput)
+all=(setup format lint test doc check mutate oracle measure throughput)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
@@ -26,11 +26,13 @@ step_format() { cargo fmt --all --check; }
 step_lint() { cargo clippy --workspace --all-targets -- -D warnings; }
 step_test() { cargo test --workspace --no-fail-fast; }
 step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
-# The main job, as a user runs it, with every road to the driver that CI must have.
+# The main job, as a user runs it, with every road to the driver that CI must have, and drivers drawn by chance.
 step_check() {
-    cargo run --release -- check --sanitize \
+    cargo run --release -- check --sanitize --perturbed 10 \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
 }
+# What share of faults seeded into the library a check notices.
+step_mutate() { cargo run --release -- mutate --equivalence 200000; }
 # The tables that came with the kernels, on every route.
 step_oracle() { cargo run --release -- oracle tests/cases/oracle; }
 # The figures in the documentation are those of today.
