@@ -31,3 +31,5 @@ mod soundness;
 mod textures;
 #[path = "interp/truths.rs"]
 mod truths;
+#[path = "interp/widths.rs"]
+mod widths;

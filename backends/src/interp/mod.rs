@@ -32,6 +32,7 @@ mod model;
 mod overrides;
 mod passes;
 mod perturbed;
+mod precision;
 mod program;
 mod resources;
 mod scalar;
@@ -116,6 +117,23 @@ pub struct ShadowBuffer {
     pub binding: u32,
     /// One for each 32-bit word.
     pub words: Vec<ShadowWord>,
+    /// Floats of 16 and 64 bits that were written there, in order.
+    pub floats: Vec<ShadowFloat>,
+}
+
+/// A float of 16 or 64 bits in a buffer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadowFloat {
+    /// The byte where it begins.
+    pub at: usize,
+    /// How many it has.
+    pub bytes: u32,
+    /// In strict arithmetic.
+    pub value: f64,
+    /// Of the formula in real numbers.
+    pub exact: f64,
+    /// Largest distance from `exact` of any permitted driver's result; infinite when there is none.
+    pub bound: f64,
 }
 
 /// One word of a buffer.
@@ -247,10 +265,10 @@ impl<'m> Interpreter<'m> {
         f: Handle<Function>,
         args: &Columns,
         exact: Option<&[Vec<f64>]>,
-        model: fn(shadow::Promise) -> shadow::Shadow,
+        model: fn(shadow::Promises) -> shadow::Shadow,
     ) -> Result<ShadowColumns, InterpError> {
         let code = judge::Code::new(self.lowered(f, args, exact, Reader::Judge)?);
-        let promise = shadow::Promise::of(self.accuracy);
+        let promise = shadow::Promises::of(self.accuracy);
         judge::rows::Call { code: &code, args, exact, fuel: self.fuel }.shadow(|| model(promise))
     }
 
@@ -333,7 +351,7 @@ impl<'m> Interpreter<'m> {
     ) -> Result<Vec<ShadowBuffer>, InterpError> {
         let mut resources = resources.into();
         self.dispatches(entry, groups, Reader::Judge, |d| {
-            d.shadow(shadow::Promise::of(self.accuracy), &mut resources)
+            d.shadow(shadow::Promises::of(self.accuracy), &mut resources)
         })
     }
 

@@ -28,6 +28,8 @@ macro_rules! operations {
         pub(super) trait Model {
             /// Whether decisions can be ambiguous and values unknown.
             const SHADOW: bool;
+            /// Whether it has numbers for floats of 16 and 64 bits; else these are words.
+            const ALL_WIDTHS: bool;
             /// A float lane.
             type F: Copy;
             /// An integer lane.
@@ -35,8 +37,25 @@ macro_rules! operations {
             /// A boolean lane.
             type B: Copy;
 
+            /// Whether it has numbers for floats of this type.
+            fn has(scalar: Scalar) -> bool {
+                scalar == Scalar::F32 || (Self::ALL_WIDTHS && scalar.float())
+            }
+
+            /// The same model for floats of 16 bits, if it has numbers for them. The lanes of floats of all widths are
+            /// of one type; operations are those of the width that the model is for.
+            type Half: Model<F = Self::F, W = Self::W, B = Self::B>;
+            /// The same for floats of 64 bits.
+            type Double: Model<F = Self::F, W = Self::W, B = Self::B>;
+            fn half(&self) -> Self::Half;
+            fn double(&self) -> Self::Double;
+
             /// A float that is `value` in f32 and `exact` in truth.
             fn float(&self, value: f32, exact: f64) -> Self::F;
+            /// A float of another width.
+            fn converted(&self, a: Self::F, from: Scalar) -> Self::F;
+            /// The same float, of which nothing is promised.
+            fn unpromised(&self, a: Self::F) -> Self::F;
             fn value(&self, a: Self::F) -> f32;
             fn exact(&self, a: Self::F) -> f64;
             /// The float `a`, of which the exact value is `truth`.

@@ -27,12 +27,28 @@ macro_rules! infix {
 
 impl Model for Strict {
     const SHADOW: bool = false;
+    const ALL_WIDTHS: bool = false;
     type F = f32;
     type W = u64;
     type B = bool;
 
+    type Half = Self;
+    type Double = Self;
+    fn half(&self) -> Self {
+        Self
+    }
+    fn double(&self) -> Self {
+        Self
+    }
+
     fn float(&self, value: f32, _: f64) -> f32 {
         value
+    }
+    fn converted(&self, a: f32, _: Scalar) -> f32 {
+        a
+    }
+    fn unpromised(&self, a: f32) -> f32 {
+        a
     }
     fn value(&self, a: f32) -> f32 {
         a

@@ -2,7 +2,7 @@
 //!
 //! Chance kernels, chance arguments, chance drivers; each failure prints the seed and the kernel.
 
-use crate::support::{Chance, columns, float_column, floats, module};
+use crate::support::{Chance, columns, float_column, floats, foreign, module};
 use lobe_backends::interp::{Interpreter, ShadowColumn};
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
@@ -17,7 +17,7 @@ pub(crate) struct Seen {
     pub(crate) bounded: usize,
     pub(crate) ambiguous: usize,
     /// Largest share of a bound that a driver used up.
-    used: f64,
+    pub(crate) used: f64,
 }
 
 /// Checks strict and chance drivers of every model against the bounds of `f`.
@@ -29,8 +29,8 @@ pub(crate) fn check(text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
 }
 
 /// The same for one model.
-fn check_model(model: &'static Model, text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
-    let module = module(text);
+pub(crate) fn check_model(model: &'static Model, text: &str, args: &Columns, seed: u64, seen: &mut Seen) {
+    let module = if text.contains("f16") || text.contains("f64") { foreign(text) } else { module(text) };
     let f = module.function("f").unwrap();
     let interpreter = Interpreter::new(&module).unwrap().with_accuracy(model);
     let shadow = interpreter.shadow(f, args, None).unwrap();
@@ -124,7 +124,7 @@ fn expression(chance: &mut Chance, depth: usize, names: &[String]) -> String {
 }
 
 /// A function of statements and branches.
-fn kernel(chance: &mut Chance) -> String {
+pub(crate) fn kernel(chance: &mut Chance) -> String {
     let mut names: Vec<String> = ["a", "b", "c"].map(String::from).to_vec();
     let mut body = String::new();
     for i in 0..1 + chance.below(3) {

@@ -59,7 +59,7 @@ fn worst(classes: &[Accuracy]) -> String {
 }
 
 /// What a rule is about, what it says, and where that is said.
-fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 3] {
+fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 4] {
     let subnormal = match model.rules.subnormal.0 {
         Subnormal::MayFlush => "may be flushed to zero",
         Subnormal::Flushed => "are flushed to zero",
@@ -69,9 +69,11 @@ fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 3] {
         Rounding::Nearest => "the nearest",
     };
     let contraction = if model.rules.contraction.0 { "permitted" } else { "not permitted" };
+    let double = if model.rules.double.0 { "as f32, with its ULP" } else { "no promise" };
     [
         ("subnormal", subnormal, model.rules.subnormal.1),
         ("rounding", rounding, model.rules.rounding.1),
         ("contraction", contraction, model.rules.contraction.1),
+        ("f64", double, model.rules.double.1),
     ]
 }

@@ -65,7 +65,18 @@ pub enum Rounding {
     Nearest,
 }
 
-/// What holds for all operations of a model on `f32`.
+/// Bits of a float.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Width {
+    /// `f16`
+    Half,
+    /// `f32`
+    Single,
+    /// `f64`
+    Double,
+}
+
+/// What holds for all operations of a model.
 #[derive(Debug, Clone, Copy)]
 pub struct Rules {
     /// Of subnormal numbers, and where the specification says so.
@@ -74,6 +85,8 @@ pub struct Rules {
     pub rounding: (Rounding, &'static str),
     /// Whether a product may go into a sum without having been rounded, likewise.
     pub contraction: (bool, &'static str),
+    /// Whether operations on `f64` keep the classes of `f32`, with its ULP, likewise; else nothing is known of them.
+    pub double: (bool, &'static str),
 }
 
 /// One table.
@@ -142,6 +155,16 @@ impl Model {
     /// The same of a built-in function.
     pub fn builtin(&self, intrinsic: Intrinsic) -> &'static [Accuracy] {
         self.classes(Operation::Builtin(intrinsic))
+    }
+
+    /// The same of an operation on floats of any width.
+    pub fn classes_of(&self, operation: Operation, width: Width) -> &'static [Accuracy] {
+        match width {
+            Width::Half => self.row(operation).map_or(&[Accuracy::Exact], |row| row.f16),
+            Width::Single => self.classes(operation),
+            Width::Double if self.rules.double.0 && operation.takes_doubles() => self.classes(operation),
+            Width::Double => &[Accuracy::Nothing],
+        }
     }
 }
 

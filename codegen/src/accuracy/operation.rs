@@ -79,6 +79,33 @@ impl Operation {
         OPERATORS.into_iter().chain(builtins.map(|row| Self::Builtin(row.intrinsic)))
     }
 
+    /// Whether SPIR-V has it for `f64`, or it is one product.
+    pub(super) fn takes_doubles(self) -> bool {
+        use Intrinsic as I;
+        let Self::Builtin(intrinsic) = self else { return true };
+        !matches!(
+            intrinsic,
+            I::Sin
+                | I::Cos
+                | I::Tan
+                | I::Asin
+                | I::Acos
+                | I::Atan
+                | I::Atan2
+                | I::Sinh
+                | I::Cosh
+                | I::Tanh
+                | I::Asinh
+                | I::Acosh
+                | I::Atanh
+                | I::Pow
+                | I::Exp
+                | I::Exp2
+                | I::Log
+                | I::Log2
+        )
+    }
+
     /// Its place in [`Operation::all`], if it computes with floats.
     pub(super) fn index(self) -> Option<usize> {
         match self {

@@ -17,9 +17,12 @@ const RULES: Rules = Rules {
     subnormal: (Subnormal::MayFlush, FLUSHING),
     rounding: (Rounding::Either, "Vulkan, Correctly Rounded with Implementation-Defined Rounding Mode"),
     contraction: (true, "Vulkan, Evaluation of Expressions: unless decorated NoContraction"),
+    double: (true, DOUBLE),
 };
 
 const FLUSHING: &str = "Vulkan, Precision and Operation of SPIR-V Instructions: unless DenormPreserve";
+const DOUBLE: &str =
+    "Vulkan, Precision and Operation of SPIR-V Instructions: double precision is at least single";
 const CORE: &str = "Vulkan, Precision of Core SPIR-V Instructions";
 const EXTENDED: &str = "Vulkan, Precision of GLSL.std.450 Instructions";
 const CONVERSIONS: &str = "Vulkan, Precision of Core SPIR-V Instructions: conversions between types";

@@ -4,7 +4,9 @@ use super::compare::Permit;
 use super::given::{Given, Owned};
 use super::number;
 use super::report::Mistake;
-use lobe_backends::interp::{Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowWord};
+use lobe_backends::interp::{
+    Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowFloat, ShadowWord,
+};
 use lobe_codegen::ValidModule;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::validate::lacking;
@@ -138,7 +140,10 @@ impl Bounds {
     fn permit(&self, given: &Given, at: usize, scalar: Scalar) -> Option<Permit> {
         let place = (given.group, given.binding);
         let buffer = self.0.iter().find(|b| (b.group, b.binding) == place)?;
-        let word = buffer.words.get(at / 4).filter(|_| scalar.width == 4)?;
+        if scalar.width != 4 {
+            return other(buffer, at, scalar);
+        }
+        let word = buffer.words.get(at / 4)?;
         Some(match *word {
             ShadowWord::Float { exact, bound, .. } if number::is_float(scalar) => {
                 Permit::Around { exact, bound }
@@ -147,6 +152,18 @@ impl Bounds {
             ShadowWord::Float { .. } | ShadowWord::Word { .. } => Permit::Unknown,
         })
     }
+}
+
+/// What may stand in the place of a number of 16 or 64 bits, if that is known.
+fn other(buffer: &ShadowBuffer, at: usize, scalar: Scalar) -> Option<Permit> {
+    let place = |f: &ShadowFloat| f.at.cmp(&at);
+    if let (true, Ok(found)) = (number::is_float(scalar), buffer.floats.binary_search_by(place)) {
+        let ShadowFloat { exact, bound, .. } = buffer.floats[found];
+        return Some(Permit::Around { exact, bound });
+    }
+    let words = buffer.words.get(at / 4..(at + usize::from(scalar.width)).div_ceil(4))?;
+    let is_known = |word: &ShadowWord| matches!(word, ShadowWord::Word { known: true, .. });
+    words.iter().all(is_known).then_some(Permit::Bits)
 }
 
 /// What may stand at a place of a resource: integers have one value unless the bounds say otherwise.

@@ -4,7 +4,7 @@ use super::super::model::Model;
 use super::super::program::op::IntOp;
 use super::super::program::{Atomic, Place, Reg, Scalar, Update};
 use super::column::{Column, Family, family};
-use super::memory::Cell;
+use super::shared::Cell;
 use super::{MISMATCH, Machine, Res, integer};
 use std::collections::HashMap;
 
@@ -97,8 +97,9 @@ impl<M: Model> Machine<'_, M> {
         let scalar = self.program.scalar(atomic.value);
         let lanes: Vec<usize> = self.flow.active.lanes().collect();
         for lane in lanes {
+            self.shared[buffer as usize].overwrite(at[lane], scalar.bytes());
             let at = at[lane] / 4;
-            if family(scalar) == Family::Float {
+            if family::<M>(scalar) == Family::Float {
                 self.update_float(atomic, (buffer, at), lane)?;
             } else {
                 self.update_word(atomic, scalar, (buffer, at), lane)?;

@@ -14,9 +14,9 @@ pub(super) enum Family {
     Bool,
 }
 
-pub(super) fn family(scalar: Scalar) -> Family {
+pub(super) fn family<M: Model>(scalar: Scalar) -> Family {
     match scalar {
-        Scalar::F32 => Family::Float,
+        scalar if M::has(scalar) => Family::Float,
         Scalar::Bool => Family::Bool,
         Scalar::I16
         | Scalar::U16
@@ -25,6 +25,7 @@ pub(super) fn family(scalar: Scalar) -> Family {
         | Scalar::I64
         | Scalar::U64
         | Scalar::F16
+        | Scalar::F32
         | Scalar::F64 => Family::Word,
     }
 }
@@ -55,7 +56,7 @@ impl<M: Model> Default for Column<M> {
 impl<M: Model> Column<M> {
     /// Zero in every lane.
     pub(super) fn zero(m: &M, scalar: Scalar, lanes: usize) -> Self {
-        match family(scalar) {
+        match family::<M>(scalar) {
             Family::Float => Self::Float(vec![m.float(0.0, 0.0); lanes]),
             Family::Word => Self::Word(vec![m.word(0); lanes]),
             Family::Bool => Self::Bool(vec![m.boolean(false); lanes]),
@@ -65,9 +66,9 @@ impl<M: Model> Column<M> {
     /// Whether it holds such scalars.
     pub(super) fn holds(&self, scalar: Scalar) -> bool {
         match self {
-            Self::Float(_) => family(scalar) == Family::Float,
-            Self::Word(_) => family(scalar) == Family::Word,
-            Self::Bool(_) => family(scalar) == Family::Bool,
+            Self::Float(_) => family::<M>(scalar) == Family::Float,
+            Self::Word(_) => family::<M>(scalar) == Family::Word,
+            Self::Bool(_) => family::<M>(scalar) == Family::Bool,
         }
     }
 
@@ -94,7 +95,7 @@ impl<M: Model> Column<M> {
     /// Drivers may have anything in this lane.
     pub(super) fn forget(&mut self, m: &M, lane: usize) {
         match self {
-            Self::Float(v) => v[lane] = m.float_of_bits(m.forget(m.bits(v[lane]))),
+            Self::Float(v) => v[lane] = m.unpromised(v[lane]),
             Self::Word(v) => v[lane] = m.forget(v[lane]),
             Self::Bool(v) => {
                 let word = m.forget(super::cast::number(m, v[lane]));
@@ -144,8 +145,14 @@ pub(super) enum Single<M: Model> {
 
 impl<M: Model> Single<M> {
     pub(super) fn constant(m: &M, constant: &Constant) -> Self {
-        match family(constant.scalar) {
-            Family::Float => Self::Float(m.float(f32::from_bits(constant.bits as u32), constant.exact)),
+        match family::<M>(constant.scalar) {
+            Family::Float if constant.scalar == Scalar::F64 => {
+                Self::Float(m.double().float_of_bits(m.word(constant.bits)))
+            }
+            Family::Float => {
+                let value = f32::from_bits(constant.bits as u32);
+                Self::Float(by_width!(*m, constant.scalar, m => m.float(value, constant.exact)))
+            }
             Family::Word => Self::Word(m.word(constant.bits)),
             Family::Bool => Self::Bool(m.boolean(constant.bits != 0)),
         }

@@ -6,12 +6,12 @@
 use super::super::finding::{Checks, Finding};
 use super::super::model::Model;
 use super::super::resources::{Found, Resources};
-use super::super::shadow::{Promise, Shadow};
+use super::super::shadow::{Promises, Shadow};
 use super::super::strict::Strict;
-use super::super::{ShadowBuffer, ShadowWord};
+use super::super::{ShadowBuffer, ShadowFloat, ShadowWord};
 use super::atomic::Order;
 use super::input::Inputs;
-use super::memory::{Cell, Shared};
+use super::shared::{Cell, Other, Shared};
 use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
 
@@ -56,17 +56,28 @@ impl Dispatch<'_> {
     /// The words of buffers that the program may write, with their bounds.
     pub(in super::super) fn shadow(
         &self,
-        promise: Promise,
+        promises: Promises,
         resources: &mut Resources<'_>,
     ) -> Res<Vec<ShadowBuffer>> {
         let Left { model: m, memory } =
-            self.everything(resources, |_| Shadow::new(promise), detach, &mut None)?;
+            self.everything(resources, |_| Shadow::new(promises), detach, &mut None)?;
         let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
         let mut left: Vec<_> = written
             .filter_map(|(buffer, shared)| {
                 let (group, binding) = buffer.binding?;
                 let words = (0..shared.cells.len()).map(|at| told(&m, shared.get(&m, at))).collect();
-                Some(ShadowBuffer { group, binding, words })
+                let others = shared.others.iter().filter(|_| !shared.spoiled);
+                let float = |(at, other): (&usize, &Other<Shadow>)| {
+                    let a = other.float;
+                    ShadowFloat {
+                        at: *at,
+                        bytes: other.scalar.bytes(),
+                        value: a.value,
+                        exact: a.exact,
+                        bound: m.bound(a),
+                    }
+                };
+                Some(ShadowBuffer { group, binding, words, floats: others.map(float).collect() })
             })
             .collect();
         left.sort_by_key(|b| (b.group, b.binding));
@@ -123,7 +134,7 @@ impl Dispatch<'_> {
         for (buffer, shared) in self.code.program.buffers.iter().zip(memory) {
             if buffer.binding.is_none() {
                 let words = buffer.bytes.div_ceil(4) as usize;
-                *shared = Shared { cells: vec![Cell::Bits(0); words], spoiled: false };
+                *shared = Shared::new(vec![Cell::Bits(0); words]);
             }
         }
     }
@@ -143,7 +154,7 @@ fn write<M: Model>(m: &M, shared: &Shared<M>, bytes: &mut [u8]) {
 
 fn shared<M: Model>(bytes: Option<&[u8]>) -> Shared<M> {
     let words = bytes.unwrap_or(&[]).as_chunks().0.iter();
-    Shared { cells: words.map(|c| Cell::Bits(u32::from_le_bytes(*c))).collect(), spoiled: false }
+    Shared::new(words.map(|c| Cell::Bits(u32::from_le_bytes(*c))).collect())
 }
 
 /// Floats as they are without the tape of the workgroup that wrote them.
@@ -152,13 +163,16 @@ fn detach(m: &Shadow, memory: &mut [Shared<Shadow>], order: &Order) {
         if let Some(Cell::Float(a)) = memory[*buffer as usize].cells.get_mut(*at) {
             *a = m.detached(*a);
         }
+        for (_, other) in memory[*buffer as usize].others.range_mut(4 * at..4 * at + 4) {
+            other.float = m.detached(other.float);
+        }
     }
 }
 
 fn told(m: &Shadow, cell: Cell<Shadow>) -> ShadowWord {
     match cell {
         Cell::Bits(value) => ShadowWord::Word { value, known: true },
-        Cell::Float(a) => ShadowWord::Float { value: a.value, exact: a.exact, bound: m.bound(a) },
+        Cell::Float(a) => ShadowWord::Float { value: a.value as f32, exact: a.exact, bound: m.bound(a) },
         Cell::Word(a) => ShadowWord::Word { value: a.value as u32, known: a.known },
     }
 }

@@ -24,12 +24,14 @@ impl<M: Model> Machine<'_, M> {
         match eval.op {
             Op::Copy(_) => self.copy(*args.first().ok_or(MISMATCH)?, to),
             Op::Input(input, scalar) => self.input(input, scalar, to),
-            Op::Float(Scalar::F32, op) if op != FloatOp::Significand => self.float(op, args, to),
+            Op::Float(scalar, op) if op != FloatOp::Significand && M::has(scalar) => {
+                by_width!(self.model, scalar, m => self.float(m, op, args, to))
+            }
             Op::Int(scalar, op) => self.integer(scalar, op, args, to),
             Op::Compare(scalar, comparison) => self.compare(scalar, comparison, args, to),
             Op::Logic(op) => self.logic(op, args, to),
-            Op::IsNan(Scalar::F32) => self.test(args, to, M::is_nan),
-            Op::IsInf(Scalar::F32) => self.test(args, to, M::is_inf),
+            Op::IsNan(scalar) if M::has(scalar) => self.test(args, to, M::is_nan),
+            Op::IsInf(scalar) if M::has(scalar) => self.test(args, to, M::is_inf),
             Op::Float(..) | Op::IsNan(_) | Op::IsInf(_) | Op::Exponent(_) | Op::Ldexp(_) => {
                 self.by_bits(eval.op, args, to)
             }
@@ -54,13 +56,13 @@ impl<M: Model> Machine<'_, M> {
                 let open = self.open(condition)?;
                 open.lanes().for_each(|lane| self.flags.ambiguous[lane] = true);
             }
-            (Op::Convert(from, Scalar::F32) | Op::Bitcast(from, Scalar::F32), &[a])
-                if family(from) == Family::Word =>
+            (Op::Convert(from, into) | Op::Bitcast(from, into), &[a])
+                if family::<M>(from) == Family::Word && family::<M>(into) == Family::Float =>
             {
                 let unknown = self.unknown(a)?;
                 unknown.lanes().for_each(|lane| self.flags.tainted[lane] = true);
             }
-            (Op::Ldexp(_) | Op::Float(Scalar::F32, FloatOp::Significand), _) => {
+            (Op::Ldexp(_) | Op::Float(_, FloatOp::Significand), _) => {
                 self.flow.active.lanes().for_each(|lane| self.flags.tainted[lane] = true);
             }
             (Op::Load { place, .. }, _) => {
@@ -93,14 +95,16 @@ impl<M: Model> Machine<'_, M> {
 
     fn compare(&self, scalar: Scalar, comparison: Comparison, args: &[Value], to: &mut Column<M>) -> Res<()> {
         match scalar {
-            Scalar::F32 => self.compare_floats(comparison, args, to),
+            scalar if M::has(scalar) => {
+                by_width!(self.model, scalar, m => self.compare_floats(m, comparison, args, to))
+            }
             Scalar::I16 | Scalar::U16 | Scalar::I32 | Scalar::U32 | Scalar::I64 | Scalar::U64 => {
                 let &[a, b] = args else { return Err(MISMATCH) };
                 let (a, b) = (self.words(a)?, self.words(b)?);
                 let holds = |a, b| integer::compare(scalar, comparison, a, b);
                 self.each_bool(to, |m, l| m.compare_w(a.at(l), b.at(l), holds))
             }
-            Scalar::Bool | Scalar::F16 | Scalar::F64 => {
+            Scalar::Bool | Scalar::F16 | Scalar::F32 | Scalar::F64 => {
                 self.by_bits(Op::Compare(scalar, comparison), args, to)
             }
         }
@@ -143,7 +147,7 @@ impl<M: Model> Machine<'_, M> {
 
     fn mark(&self, scalar: Scalar, mark: Mark, args: &[Value], to: &mut Column<M>) -> Res<()> {
         match mark {
-            Mark::Settled => self.one(args, to, M::settled),
+            Mark::Settled => self.one(args, to, |a| self.model.settled(a)),
             Mark::Unwritten => {
                 *to = Column::zero(&self.model, scalar, self.lanes);
                 Ok(())

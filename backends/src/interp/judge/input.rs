@@ -66,11 +66,11 @@ impl<M: Model> Machine<'_, M> {
     }
 
     fn column(&self, words: &[u32], exact: Option<&[f64]>, scalar: Scalar, to: &mut Column<M>) -> Res<()> {
-        match family(scalar) {
-            Family::Float => self.each_float(to, |m, lane| {
+        match family::<M>(scalar) {
+            Family::Float => by_width!(self.model, scalar, m => self.each_float(to, |_, lane| {
                 let value = f32::from_bits(words[lane]);
                 m.float(value, exact.map_or(value.into(), |e| e[lane]))
-            }),
+            })),
             Family::Word => self.each_word(to, |m, lane| m.word(words[lane].into())),
             Family::Bool => self.each_bool(to, |m, lane| m.boolean(words[lane] != 0)),
         }

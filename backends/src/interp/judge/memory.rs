@@ -8,66 +8,10 @@
 //! find before or after another invocation's atomic. Programs are taken to be free of races.
 
 use super::super::model::Model;
-use super::super::program::{Count, Op, Place, Scalar, Value};
-use super::super::scalar::eval::eval;
+use super::super::program::{Count, Place, Scalar, Value};
 use super::column::{Column, Family, family};
+use super::shared::{Cell, Other, gathered, joined, stored};
 use super::{MISMATCH, Machine, Res};
-
-/// A word of shared memory.
-pub(in super::super) enum Cell<M: Model> {
-    /// As the dispatch found it.
-    Bits(u32),
-    Float(M::F),
-    Word(M::W),
-}
-
-impl<M: Model> Clone for Cell<M> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: Model> Copy for Cell<M> {}
-
-impl<M: Model> Cell<M> {
-    pub(super) fn word(self, m: &M) -> M::W {
-        match self {
-            Self::Bits(bits) => m.word(bits.into()),
-            Self::Float(a) => m.bits(a),
-            Self::Word(a) => a,
-        }
-    }
-
-    pub(super) fn float(self, m: &M) -> M::F {
-        match self {
-            Self::Bits(bits) => m.float_of_bits(m.word(bits.into())),
-            Self::Float(a) => a,
-            Self::Word(a) => m.float_of_bits(a),
-        }
-    }
-
-    /// The same bits, of which drivers may have others.
-    pub(super) fn forgotten(self, m: &M) -> Self {
-        match self {
-            Self::Bits(_) | Self::Word(_) => Self::Word(m.forget(self.word(m))),
-            Self::Float(a) => Self::Float(m.float_of_bits(m.forget(m.bits(a)))),
-        }
-    }
-}
-
-/// A buffer, or a workgroup variable.
-pub(in super::super) struct Shared<M: Model> {
-    pub(in super::super) cells: Vec<Cell<M>>,
-    /// Whether something may have been written that is not known where.
-    pub(in super::super) spoiled: bool,
-}
-
-impl<M: Model> Shared<M> {
-    pub(super) fn get(&self, m: &M, at: usize) -> Cell<M> {
-        let cell = self.cells.get(at).copied().unwrap_or(Cell::Bits(0));
-        if self.spoiled { cell.forgotten(m) } else { cell }
-    }
-}
 
 impl<M: Model> Machine<'_, M> {
     /// `args[1] + min(args[0], count - 1) * stride`
@@ -161,20 +105,23 @@ impl<M: Model> Machine<'_, M> {
             let cell = shared.get(m, at);
             if self.order.disputes(buffer, at) { cell.forgotten(m) } else { cell }
         };
-        match family(scalar) {
-            Family::Float => self.each_float(to, |m, lane| cell(m, at[lane] / 4).float(m)),
+        match family::<M>(scalar) {
+            Family::Float if scalar == Scalar::F32 => {
+                self.each_float(to, |m, lane| cell(m, at[lane] / 4).float(m))
+            }
+            Family::Float => by_width!(self.model, scalar, n => self.each_float(to, |m, lane| {
+                let at = at[lane];
+                match shared.other(m, scalar, at) {
+                    Some(a) if self.order.disputes(buffer, at / 4) => m.unpromised(a),
+                    Some(a) => a,
+                    None => n.float_of_bits(gathered(m, scalar, at, cell)),
+                }
+            })),
             Family::Bool => self.each_bool(to, |m, lane| {
                 m.compare_w(cell(m, at[lane] / 4).word(m), m.word(0), |a, b| a != b)
             }),
-            Family::Word if scalar.bytes() == 2 => self.each_word(to, |m, lane| {
-                let word = cell(m, at[lane] / 4).word(m);
-                m.map_w(word, |word| held(scalar, word >> (8 * (at[lane] & 2)) & 0xffff))
-            }),
-            Family::Word if scalar.wide() => self.each_word(to, |m, lane| {
-                let (low, high) = (cell(m, at[lane] / 4).word(m), cell(m, at[lane] / 4 + 1).word(m));
-                m.zip_w(low, high, |low, high| low | high << 32)
-            }),
-            Family::Word => self.each_word(to, |m, lane| cell(m, at[lane] / 4).word(m)),
+            Family::Word if scalar.is_word() => self.each_word(to, |m, lane| cell(m, at[lane] / 4).word(m)),
+            Family::Word => self.each_word(to, |m, lane| gathered(m, scalar, at[lane], cell)),
         }
     }
 
@@ -231,30 +178,53 @@ impl<M: Model> Machine<'_, M> {
         let scalar = self.program.scalar(value);
         let lanes: Vec<usize> = self.flow.active.lanes().collect();
         for lane in lanes {
-            let m = &self.model;
-            let (first, second) = match family(scalar) {
-                Family::Float => (Cell::Float(self.floats(value)?.at(lane)), None),
+            let (at, m) = (at[lane], &self.model);
+            let other = match family::<M>(scalar) {
+                Family::Float if scalar != Scalar::F32 => Some(self.other_after(buffer, at, value, lane)?),
+                Family::Float | Family::Word | Family::Bool => None,
+            };
+            let (first, second) = match family::<M>(scalar) {
+                Family::Float if scalar == Scalar::F32 => (Cell::Float(self.floats(value)?.at(lane)), None),
                 Family::Bool => (Cell::Word(super::cast::number(m, self.bools(value)?.at(lane))), None),
-                Family::Word if scalar.bytes() == 2 => {
-                    let (half, old) = (self.words(value)?.at(lane), &self.shared[buffer as usize]);
-                    let shift = 8 * (at[lane] & 2);
-                    let both = m.zip_w(old.get(m, at[lane] / 4).word(m), half, |old, half| {
+                Family::Float | Family::Word if scalar.bytes() == 2 => {
+                    let (half, old) = (self.word(value, lane)?, &self.shared[buffer as usize]);
+                    let shift = 8 * (at & 2);
+                    let both = m.zip_w(old.get(m, at / 4).word(m), half, |old, half| {
                         old & !(0xffff << shift) | stored(scalar, half) << shift
                     });
                     (Cell::Word(both), None)
                 }
-                Family::Word => {
-                    let word = self.words(value)?.at(lane);
+                Family::Float | Family::Word => {
+                    let word = self.word(value, lane)?;
                     let low = Cell::Word(m.map_w(word, |w| w & u64::from(u32::MAX)));
                     (low, scalar.wide().then(|| Cell::Word(m.map_w(word, |w| w >> 32))))
                 }
             };
-            self.put(buffer, at[lane] / 4, lane, first);
+            self.shared[buffer as usize].overwrite(at, scalar.bytes());
+            self.put(buffer, at / 4, lane, first);
             if let Some(second) = second {
-                self.put(buffer, at[lane] / 4 + 1, lane, second);
+                self.put(buffer, at / 4 + 1, lane, second);
+            }
+            if let Some(other) = other {
+                self.shared[buffer as usize].others.insert(at, other);
             }
         }
         Ok(())
+    }
+
+    /// What a float of 16 or 64 bits will be, once a lane has stored it.
+    fn other_after(&self, buffer: u32, at: usize, value: Value, lane: usize) -> Res<Other<M>> {
+        let (m, scalar) = (&self.model, self.program.scalar(value));
+        let new = self.floats(value)?.at(lane);
+        if !self.flow.unsure(lane) {
+            return Ok(Other { scalar, float: new });
+        }
+        let shared = &self.shared[buffer as usize];
+        let old = shared.other(m, scalar, at).unwrap_or_else(|| {
+            let word = gathered(m, scalar, at, |m, at| shared.get(m, at));
+            by_width!(self.model, scalar, m => m.float_of_bits(word))
+        });
+        Ok(Other { scalar, float: m.join_f(new, old, self.flow.pick(lane)) })
     }
 
     /// Writes a word of shared memory.
@@ -269,23 +239,5 @@ impl<M: Model> Machine<'_, M> {
         }
         *place = cell;
         self.order.written(buffer, at);
-    }
-}
-
-/// What registers hold of 16 bits.
-fn held(scalar: Scalar, half: u64) -> u64 {
-    eval(Op::Bitcast(Scalar::U16, scalar), &[half]).unwrap_or(half)
-}
-
-/// The 16 bits of what registers hold.
-fn stored(scalar: Scalar, held: u64) -> u64 {
-    eval(Op::Bitcast(scalar, Scalar::U16), &[held]).unwrap_or(held) & 0xffff
-}
-
-/// A word that is one of two.
-fn joined<M: Model>(m: &M, old: Cell<M>, new: Cell<M>, pick: super::super::model::Pick) -> Cell<M> {
-    match (old, new) {
-        (Cell::Float(_), _) | (_, Cell::Float(_)) => Cell::Float(m.join_f(new.float(m), old.float(m), pick)),
-        (Cell::Bits(_) | Cell::Word(_), _) => Cell::Word(m.join_w(new.word(m), old.word(m), pick)),
     }
 }

@@ -13,6 +13,26 @@
 //! - [`watch`] looks for mistakes of the program.
 //! - [`rows`] calls functions; [`dispatch`] runs entry points.
 
+/// `$body` with `$m` the model for floats of a scalar's width.
+macro_rules! by_width {
+    ($model:expr, $scalar:expr, $m:ident => $body:expr) => {
+        match $scalar {
+            Scalar::F16 => {
+                let $m = &$model.half();
+                $body
+            }
+            Scalar::F64 => {
+                let $m = &$model.double();
+                $body
+            }
+            _ => {
+                let $m = &$model;
+                $body
+            }
+        }
+    };
+}
+
 mod atomic;
 mod bits;
 mod cast;
@@ -26,6 +46,7 @@ pub(super) mod integer;
 mod memory;
 mod plan;
 pub(super) mod rows;
+mod shared;
 mod subgroup;
 mod texture;
 mod waiting;
@@ -40,8 +61,8 @@ use atomic::Order;
 use column::{Column, Single};
 use flow::Flow;
 use input::Inputs;
-use memory::Shared;
 use plan::Plan;
+use shared::Shared;
 use std::sync::Arc;
 use watch::Watch;
 

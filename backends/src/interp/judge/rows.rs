@@ -124,7 +124,7 @@ impl Machine<'_, Shadow> {
         let lost = &self.flags.lost;
         match column {
             Column::Float(lanes) => ShadowColumn::Float {
-                value: lanes.iter().map(|a| a.value).collect(),
+                value: lanes.iter().map(|a| a.value as f32).collect(),
                 exact: lanes.iter().map(|a| a.exact).collect(),
                 bound: lanes
                     .iter()
@@ -154,7 +154,7 @@ fn holds(column: &ShadowColumn, row: usize) -> bool {
 
 /// Columns of these scalars without rows.
 fn no_rows(scalars: impl Iterator<Item = Scalar>) -> ShadowColumns {
-    let empty = |scalar: Scalar| match family(scalar) {
+    let empty = |scalar: Scalar| match family::<Shadow>(scalar) {
         Family::Float => ShadowColumn::Float { value: Vec::new(), exact: Vec::new(), bound: Vec::new() },
         Family::Word | Family::Bool => ShadowColumn::Word { value: Vec::new(), known: Vec::new() },
     };

@@ -39,7 +39,7 @@ impl<M: Model> Machine<'_, M> {
                 if !self.flow.active.get(lane) {
                     continue;
                 }
-                self.set(&mut to, lane, self.model.word(bits));
+                self.set(&mut to, scalar, lane, self.model.word(bits));
                 if M::SHADOW && !self.agreed(subgroup, &party, lane, &mut to)? {
                     to.forget(&self.model, lane);
                     self.flags.tainted[lane] = true;
@@ -89,7 +89,8 @@ impl<M: Model> Machine<'_, M> {
             Column::Float(to) => {
                 let floats = self.floats(subgroup.value)?;
                 let taken = active(party, end).map(|lane| floats.at(lane)).collect::<Vec<_>>();
-                to[lane] = self.model.collected(op, &taken, to[lane]);
+                let scalar = self.program.scalar(subgroup.value);
+                to[lane] = by_width!(self.model, scalar, m => m.collected(op, &taken, to[lane]));
                 Ok(true)
             }
             Column::Word(_) | Column::Bool(_) => self.are_known(subgroup, party, end),
@@ -106,12 +107,12 @@ impl<M: Model> Machine<'_, M> {
         Ok(true)
     }
 
-    /// Whether the first lanes bring integers or booleans that all drivers have; other floats depend on an order.
+    /// Whether the first lanes bring integers or booleans that all drivers have.
     fn are_known(&self, subgroup: &Subgroup, party: &Party, end: usize) -> Res<bool> {
         let scalar = self.program.scalar(subgroup.value);
-        let mut all = !matches!(scalar, Scalar::F16 | Scalar::F64);
+        let mut all = true;
         for lane in active(party, end) {
-            all &= match family(scalar) {
+            all &= match family::<M>(scalar) {
                 Family::Bool => !self.model.ambiguous(self.bools(subgroup.value)?.at(lane)),
                 Family::Word | Family::Float => self.model.known(self.word(subgroup.value, lane)?),
             };

@@ -25,7 +25,8 @@ impl<M: Model> Machine<'_, M> {
                 let promised = known && !matches!(to, Column::Float(_));
                 self.flags.tainted[lane] |= !promised;
                 let word = self.model.word(bits);
-                self.set(&mut to, lane, if promised { word } else { self.model.forget(word) });
+                let scalar = self.program.registers[at as usize].scalar;
+                self.set(&mut to, scalar, lane, if promised { word } else { self.model.forget(word) });
                 self.registers[at as usize] = to;
             }
         }
@@ -67,7 +68,7 @@ impl<M: Model> Machine<'_, M> {
     fn operand(&self, value: Value, lane: usize) -> Res<u64> {
         let scalar = self.program.scalar(value);
         let bits = self.model.word_value(self.word(value, lane)?);
-        let signed = family(scalar) == Family::Word && scalar.signed();
+        let signed = family::<M>(scalar) == Family::Word && scalar.signed();
         Ok(if signed { integer::number(bits, scalar) as u64 } else { bits })
     }
 }

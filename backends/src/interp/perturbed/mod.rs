@@ -6,27 +6,30 @@
 
 mod model;
 
-use lobe_codegen::accuracy::{self, Accuracy, Rounding, Subnormal};
+use super::precision::{Double, Half, Precision, Single};
+use super::program::Scalar;
+use lobe_codegen::accuracy::{self, Accuracy, Operation, Rounding, Subnormal, Width};
 use lobe_codegen::intrinsics::Intrinsic;
 use std::cell::Cell;
+use std::marker::PhantomData;
+use std::rc::Rc;
 
-/// The model; it draws from a generator of its own.
+/// The model for floats of a format; it draws from a generator of its own, the same for all formats.
 #[derive(Debug)]
-pub(super) struct Perturbed {
+pub(super) struct Perturbed<P = Single> {
     accuracy: &'static accuracy::Model,
-    state: Cell<u64>,
+    state: Rc<Cell<u64>>,
+    format: PhantomData<P>,
 }
 
 /// A number and, when it is a product, that product before it was rounded.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Number {
-    value: f32,
+    value: f64,
     product: Option<f64>,
 }
 
-const ULP: f64 = 1.0 / (1 << 23) as f64;
-
-fn plain(value: f32) -> Number {
+fn plain(value: f64) -> Number {
     Number { value, product: None }
 }
 
@@ -34,7 +37,28 @@ impl Perturbed {
     /// The driver of a part of the work, so that parts err differently; it errs as `accuracy` permits.
     pub(super) fn nth(accuracy: &'static accuracy::Model, seed: u64, part: usize) -> Self {
         let seed = seed ^ (part as u64).wrapping_mul(0x5851_f42d_4c95_7f2d);
-        Self { accuracy, state: Cell::new(seed) }
+        Self { accuracy, state: Rc::new(Cell::new(seed)), format: PhantomData }
+    }
+}
+
+impl<P: Precision> Perturbed<P> {
+    /// The same driver, for floats of another format.
+    fn of<Q>(&self) -> Perturbed<Q> {
+        Perturbed { accuracy: self.accuracy, state: self.state.clone(), format: PhantomData }
+    }
+
+    /// The classes of an operation.
+    fn classes(&self, operation: Operation) -> &'static [Accuracy] {
+        let width = match P::SCALAR {
+            Scalar::F16 => Width::Half,
+            Scalar::F64 => Width::Double,
+            _ => Width::Single,
+        };
+        self.accuracy.classes_of(operation, width)
+    }
+
+    fn builtin(&self, intrinsic: Intrinsic) -> &'static [Accuracy] {
+        self.classes(Operation::Builtin(intrinsic))
     }
 
     /// SplitMix64.
@@ -59,33 +83,26 @@ impl Perturbed {
         }
     }
 
-    fn flush(&self, x: f32) -> f32 {
+    fn flush(&self, x: f64) -> f64 {
         let always = self.accuracy.rules.subnormal.0 == Subnormal::Flushed;
-        if x.is_subnormal() && (always || self.coin()) { 0.0_f32.copysign(x) } else { x }
+        let is_subnormal = x != 0.0 && x.abs() < P::MIN_NORMAL;
+        if is_subnormal && (always || self.coin()) { 0.0_f64.copysign(x) } else { x }
     }
 
     fn operand(&self, a: Number) -> f64 {
-        self.flush(a.value).into()
+        self.flush(a.value)
     }
 
     /// One of the two floats that enclose `x`.
-    fn either(&self, x: f64) -> f32 {
-        let nearest = x as f32;
-        let other = if f64::from(nearest) < x {
-            nearest.next_up()
-        } else if f64::from(nearest) > x {
-            nearest.next_down()
-        } else {
-            nearest
-        };
-        self.flush(if self.coin() { nearest } else { other })
+    fn either(&self, x: f64) -> f64 {
+        self.flush(if self.coin() { P::down(x) } else { P::up(x) })
     }
 
     /// `x`, correctly rounded.
-    fn rounded(&self, x: f64) -> f32 {
+    fn rounded(&self, x: f64) -> f64 {
         match self.accuracy.rules.rounding.0 {
             Rounding::Either => self.either(x),
-            Rounding::Nearest => self.flush(x as f32),
+            Rounding::Nearest => self.flush(P::nearest(x)),
         }
     }
 
@@ -100,16 +117,16 @@ impl Perturbed {
 
     /// A float not further than `error` from `x`.
     fn within(&self, x: f64, error: f64) -> Number {
-        let wanted = (x + self.share() * error) as f32;
-        let fits = (f64::from(wanted) - x).abs() <= error && (f64::from(wanted) >= 0.0) == (x >= 0.0);
-        plain(self.flush(if fits { wanted } else { x as f32 }))
+        let wanted = P::nearest(x + self.share() * error);
+        let fits = (wanted - x).abs() <= error && (wanted >= 0.0) == (x >= 0.0);
+        plain(self.flush(if fits { wanted } else { P::nearest(x) }))
     }
 
     fn ulps(&self, n: f64, x: f64) -> Number {
         if x == 0.0 {
-            return plain(x as f32);
+            return plain(x);
         }
-        self.within(x, n * (ULP * x.abs()).max(1.401298464324817e-45))
+        self.within(x, n * (P::ULP * x.abs()).max(P::TINY))
     }
 
     /// A result within a class that is a number, at argument `a`.
@@ -128,14 +145,14 @@ impl Perturbed {
             Accuracy::Absolute(error) | Accuracy::AbsoluteOn { absolute: error, .. } => {
                 self.off(result, error)
             }
-            Accuracy::Inherited(_) => plain(result as f32),
+            Accuracy::Inherited(_) => plain(P::nearest(result)),
             Accuracy::Nothing => self.off(result, 1.0 + result.abs()),
         }
     }
 
     fn off(&self, x: f64, error: f64) -> Number {
-        let wanted = (x + self.share() * error) as f32;
-        plain(self.flush(if (f64::from(wanted) - x).abs() <= error { wanted } else { x as f32 }))
+        let wanted = P::nearest(x + self.share() * error);
+        plain(self.flush(if (wanted - x).abs() <= error { wanted } else { P::nearest(x) }))
     }
 
     /// What an addition takes for a product: its float, or all of it.
@@ -147,12 +164,12 @@ impl Perturbed {
     }
 
     fn exactly(&self, a: Number, f: fn(f64) -> f64) -> Number {
-        plain(self.flush(f(self.operand(a)) as f32))
+        plain(self.flush(f(self.operand(a))))
     }
 
     fn elementary(&self, intrinsic: Intrinsic, a: Number, f: fn(f64) -> f64) -> Number {
         let x = self.operand(a);
-        self.inexact(self.class(self.accuracy.builtin(intrinsic)), x, f(x))
+        self.inexact(self.class(self.builtin(intrinsic)), x, f(x))
     }
 
     /// The same where the class may be a formula.
@@ -163,7 +180,7 @@ impl Perturbed {
         f: fn(f64) -> f64,
         formula: fn(&Self, Number) -> Number,
     ) -> Number {
-        match self.class(self.accuracy.builtin(intrinsic)) {
+        match self.class(self.builtin(intrinsic)) {
             Accuracy::Inherited(_) => formula(self, a),
             class => {
                 let x = self.operand(a);

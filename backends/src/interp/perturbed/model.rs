@@ -1,28 +1,52 @@
 //! The driver as a [`Model`].
 
-use super::{Number, Perturbed, plain};
+use super::{Double, Half, Number, Perturbed, Precision, Single, plain};
 use crate::interp::formula;
 use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
 use crate::interp::program::Scalar;
+use crate::interp::program::op::FloatOp;
+use crate::interp::scalar::convert;
 use lobe_codegen::accuracy::{Accuracy, LERP, Operation};
 use lobe_codegen::intrinsics::Intrinsic;
 use naga::BinaryOperator;
 
-impl Model for Perturbed {
+impl<P: Precision> Model for Perturbed<P> {
     const SHADOW: bool = false;
+    const ALL_WIDTHS: bool = true;
     type F = Number;
     type W = u64;
     type B = bool;
 
+    type Half = Perturbed<Half>;
+    type Double = Perturbed<Double>;
+    fn half(&self) -> Perturbed<Half> {
+        self.of()
+    }
+    fn double(&self) -> Perturbed<Double> {
+        self.of()
+    }
+
     fn float(&self, value: f32, _: f64) -> Number {
-        plain(value)
+        plain(value.into())
+    }
+    fn converted(&self, a: Number, from: Scalar) -> Number {
+        let x = match from {
+            Scalar::F16 => self.half().operand(a),
+            Scalar::F64 => self.double().operand(a),
+            _ => self.of::<Single>().operand(a),
+        };
+        let is_wider = from.bytes() < P::SCALAR.bytes();
+        plain(if is_wider { self.flush(x) } else { self.rounded(x) })
+    }
+    fn unpromised(&self, a: Number) -> Number {
+        a
     }
     fn value(&self, a: Number) -> f32 {
-        a.value
+        a.value as f32
     }
     fn exact(&self, a: Number) -> f64 {
-        a.value.into()
+        a.value
     }
     fn with_truth(&self, a: Number, _: f64) -> Number {
         a
@@ -104,21 +128,17 @@ impl Model for Perturbed {
     }
 
     fn to_word(&self, a: Number, to: Scalar) -> u64 {
-        integer::truncated(a.value, to)
+        convert::truncated(a.value, P::DIGITS, to)
     }
     fn to_float(&self, a: u64, from: Scalar) -> Number {
         let exact = integer::number(a, from);
-        plain(if exact as f64 as i128 == exact {
-            self.either(exact as f64)
-        } else {
-            integer::rounded(a, from)
-        })
+        plain(if exact as f64 as i128 == exact { self.either(exact as f64) } else { P::of_integer(exact) })
     }
     fn bits(&self, a: Number) -> u64 {
-        a.value.to_bits().into()
+        P::bits(a.value)
     }
     fn float_of_bits(&self, a: u64) -> Number {
-        plain(f32::from_bits(a as u32))
+        plain(P::of_bits(a))
     }
 
     fn add(&self, a: Number, b: Number) -> Number {
@@ -139,7 +159,7 @@ impl Model for Perturbed {
         Number { value: self.rounded(x * x), product: Some(x * x) }
     }
     fn div(&self, a: Number, b: Number) -> Number {
-        let divide = self.accuracy.classes(Operation::Infix(BinaryOperator::Divide));
+        let divide = self.classes(Operation::Infix(BinaryOperator::Divide));
         let divisor = self.operand(b);
         self.inexact(self.class(divide), divisor, self.operand(a) / divisor)
     }
@@ -153,15 +173,13 @@ impl Model for Perturbed {
         self.exactly(a, f64::abs)
     }
     fn min(&self, a: Number, b: Number) -> Number {
-        let (a, b) = (self.flush(a.value), self.flush(b.value));
-        plain(lobe_codegen::math::scalar::min(a, b))
+        plain(P::strict(FloatOp::Min, [self.operand(a), self.operand(b), 0.0]))
     }
     fn max(&self, a: Number, b: Number) -> Number {
-        let (a, b) = (self.flush(a.value), self.flush(b.value));
-        plain(lobe_codegen::math::scalar::max(a, b))
+        plain(P::strict(FloatOp::Max, [self.operand(a), self.operand(b), 0.0]))
     }
     fn sign(&self, a: Number) -> Number {
-        plain(lobe_codegen::math::scalar::sign(self.flush(a.value)))
+        plain(P::strict(FloatOp::Sign, [self.operand(a), 0.0, 0.0]))
     }
     fn ceil(&self, a: Number) -> Number {
         self.exactly(a, f64::ceil)
@@ -184,13 +202,13 @@ impl Model for Perturbed {
     }
     fn sqrt(&self, a: Number) -> Number {
         let x = self.operand(a);
-        if x >= f64::from(f32::MIN_POSITIVE) || x < 0.0 {
-            return match self.class(self.accuracy.builtin(Intrinsic::Sqrt)) {
-                Accuracy::Inherited(_) => self.div(plain(1.0), self.inverse_sqrt(plain(x as f32))),
+        if x >= P::MIN_NORMAL || x < 0.0 {
+            return match self.class(self.builtin(Intrinsic::Sqrt)) {
+                Accuracy::Inherited(_) => self.div(plain(1.0), self.inverse_sqrt(plain(x))),
                 class => self.inexact(class, x, x.sqrt()),
             };
         }
-        plain(self.flush(if self.coin() { 0.0 } else { x.sqrt() as f32 }))
+        plain(self.flush(if self.coin() { 0.0 } else { P::nearest(x.sqrt()) }))
     }
     fn inverse_sqrt(&self, a: Number) -> Number {
         self.elementary(Intrinsic::InverseSqrt, a, |x| 1.0 / x.sqrt())
@@ -218,7 +236,7 @@ impl Model for Perturbed {
     }
     fn atan2(&self, y: Number, x: Number) -> Number {
         let angle = libm::atan2(self.operand(y), self.operand(x));
-        self.inexact(self.class(self.accuracy.builtin(Intrinsic::Atan2)), 0.0, angle)
+        self.inexact(self.class(self.builtin(Intrinsic::Atan2)), 0.0, angle)
     }
     fn asin(&self, x: Number) -> Number {
         self.composed(Intrinsic::Asin, x, libm::asin, formula::asin)
@@ -227,7 +245,7 @@ impl Model for Perturbed {
         self.composed(Intrinsic::Acos, x, libm::acos, formula::acos)
     }
     fn mix(&self, x: Number, y: Number, t: Number) -> Number {
-        match self.class(self.accuracy.builtin(Intrinsic::Mix)) {
+        match self.class(self.builtin(Intrinsic::Mix)) {
             Accuracy::Inherited(LERP) => formula::lerp(self, x, y, t),
             _ => formula::mix(self, x, y, t),
         }

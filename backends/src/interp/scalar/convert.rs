@@ -137,6 +137,20 @@ pub(crate) fn to_u32(x: f32) -> u32 {
     (if x > MOST { MOST } else { x }) as u32
 }
 
+/// A float of a type of so many digits as an integer, as registers hold it.
+pub(crate) fn truncated(number: f64, digits: u32, to: Scalar) -> u64 {
+    match to {
+        Scalar::I16 => (i16::of_float(number, digits) as u32).into(),
+        Scalar::U16 => u16::of_float(number, digits).into(),
+        Scalar::I64 => i64::of_float(number, digits) as u64,
+        Scalar::U64 => u64::of_float(number, digits),
+        Scalar::U32 => u32::of_float(number, digits).into(),
+        Scalar::Bool | Scalar::I32 | Scalar::F32 | Scalar::F16 | Scalar::F64 => {
+            (i32::of_float(number, digits) as u32).into()
+        }
+    }
+}
+
 /// The same bits as another type of the same size; `None` if the sizes differ.
 pub(crate) fn bitcast(from: Scalar, to: Scalar, bits: u64) -> Option<u64> {
     if from.bytes() != to.bytes() {

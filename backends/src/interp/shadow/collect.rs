@@ -3,8 +3,8 @@
 //! In every order each of `n` numbers goes through at most `n - 1` steps, and each step errs by an ULP of what it
 //! gives, and may flush what it takes and gives.
 
-use super::round::ULP;
-use super::{Float, MIN_NORMAL};
+use super::Float;
+use crate::interp::precision::Precision;
 use naga::SubgroupOperation;
 
 /// More than what the f64 arithmetic here errs for each number, relative.
@@ -14,12 +14,12 @@ const HAIR: f64 = 1.0 / (1_u64 << 48) as f64;
 const FLUSHED: f64 = 6.0;
 
 /// What drivers may make of `all`, where the strict result is `value`.
-pub(super) fn collected(op: SubgroupOperation, all: &[Float], value: f32) -> Float {
+pub(super) fn collected<P: Precision>(op: SubgroupOperation, all: &[Float], value: f64) -> Float {
     let bounded = all.iter().all(|a| a.bounded());
     let result = match op {
         _ if !bounded => None,
-        SubgroupOperation::Add => sum(all),
-        SubgroupOperation::Mul => product(all),
+        SubgroupOperation::Add => sum::<P>(all),
+        SubgroupOperation::Mul => product::<P>(all),
         SubgroupOperation::Min => extreme(all, f64::min),
         SubgroupOperation::Max => extreme(all, f64::max),
         SubgroupOperation::All
@@ -29,15 +29,15 @@ pub(super) fn collected(op: SubgroupOperation, all: &[Float], value: f32) -> Flo
         | SubgroupOperation::Xor => None,
     };
     match result {
-        Some((exact, low, high)) => Float::closed(value, exact, low, high),
-        None => Float::unbounded(value, value.into()),
+        Some((exact, low, high)) => Float::closed::<P>(value, exact, low, high),
+        None => Float::unbounded(value, value),
     }
 }
 
 /// What `n` steps err by where no number is larger than `most`, and one that is flushed counts `times` as much.
-fn error(n: usize, most: f64, times: f64) -> f64 {
-    let steps = (1.0 + ULP).powi(n.max(1) as i32 - 1) - 1.0;
-    most * (steps + n as f64 * HAIR) + FLUSHED * n as f64 * MIN_NORMAL * times
+fn error<P: Precision>(n: usize, most: f64, times: f64) -> f64 {
+    let steps = (1.0 + P::ULP).powi(n.max(1) as i32 - 1) - 1.0;
+    most * (steps + n as f64 * HAIR) + FLUSHED * n as f64 * P::MIN_NORMAL * times
 }
 
 fn magnitude(a: &Float) -> f64 {
@@ -45,21 +45,21 @@ fn magnitude(a: &Float) -> f64 {
 }
 
 /// Partial sums are no larger than the sum of magnitudes: if that may overflow, so may they.
-fn sum(all: &[Float]) -> Option<(f64, f64, f64)> {
+fn sum<P: Precision>(all: &[Float]) -> Option<(f64, f64, f64)> {
     let whole: f64 = all.iter().map(magnitude).sum();
     let [exact, low, high] = [|a: &Float| a.exact, |a: &Float| a.low, |a: &Float| a.high]
         .map(|part| all.iter().map(part).sum::<f64>());
-    let error = error(all.len(), whole, 1.0);
+    let error = error::<P>(all.len(), whole, 1.0);
     // A sum has no other sign than all its numbers.
     let low =
         if low >= 0.0 && all.iter().all(|a| a.low >= 0.0) { (low - error).max(0.0) } else { low - error };
     let high =
         if high <= 0.0 && all.iter().all(|a| a.high <= 0.0) { (high + error).min(0.0) } else { high + error };
-    (whole + error <= f32::MAX.into()).then_some((exact, low, high))
+    (whole + error <= P::MAX).then_some((exact, low, high))
 }
 
 /// Partial products are no larger than the product of what is above 1, and so much counts what is flushed.
-fn product(all: &[Float]) -> Option<(f64, f64, f64)> {
+fn product<P: Precision>(all: &[Float]) -> Option<(f64, f64, f64)> {
     let most: f64 = all.iter().map(|a| magnitude(a).max(1.0)).product();
     let times = |(low, high): (f64, f64), a: &Float| {
         let corners = [low * a.low, low * a.high, high * a.low, high * a.high];
@@ -67,8 +67,8 @@ fn product(all: &[Float]) -> Option<(f64, f64, f64)> {
     };
     let (low, high) = all.iter().fold((1.0, 1.0), times);
     let exact = all.iter().map(|a| a.exact).product();
-    let error = error(all.len(), low.abs().max(high.abs()), most);
-    (most + error <= f32::MAX.into()).then_some((exact, low - error, high + error))
+    let error = error::<P>(all.len(), low.abs().max(high.abs()), most);
+    (most + error <= P::MAX).then_some((exact, low - error, high + error))
 }
 
 fn extreme(all: &[Float], best: fn(f64, f64) -> f64) -> Option<(f64, f64, f64)> {
@@ -79,6 +79,7 @@ fn extreme(all: &[Float], best: fn(f64, f64) -> f64) -> Option<(f64, f64, f64)> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interp::precision::{Half, Single};
 
     /// A fixed sequence of numbers that look drawn.
     struct Drawn(u64);
@@ -90,9 +91,9 @@ mod tests {
         }
 
         /// One of the floats around `x`, and perhaps zero for one that is subnormal.
-        fn rounded(&mut self, x: f64) -> f64 {
-            let x = if x.abs() < MIN_NORMAL && self.below(2) == 0 { 0.0 } else { x };
-            if self.below(2) == 0 { super::super::round::down(x) } else { super::super::round::up(x) }
+        fn rounded<P: Precision>(&mut self, x: f64) -> f64 {
+            let x = if x.abs() < P::MIN_NORMAL && self.below(2) == 0 { 0.0 } else { x };
+            if self.below(2) == 0 { P::down(x) } else { P::up(x) }
         }
     }
 
@@ -106,34 +107,39 @@ mod tests {
     }
 
     /// What a driver makes of the numbers, which takes any two together.
-    fn driven(op: SubgroupOperation, all: &[Float], drawn: &mut Drawn) -> f64 {
+    fn driven<P: Precision>(op: SubgroupOperation, all: &[Float], drawn: &mut Drawn) -> f64 {
         let mut left: Vec<f64> = all.iter().map(|a| [a.low, a.high][drawn.below(2)]).collect();
         while left.len() > 1 {
             let a = left.swap_remove(drawn.below(left.len()));
             let b = left.swap_remove(drawn.below(left.len()));
-            let [a, b] = [a, b].map(|x| drawn.rounded(x));
-            left.push(drawn.rounded(step(op, a, b)));
+            let [a, b] = [a, b].map(|x| drawn.rounded::<P>(x));
+            left.push(drawn.rounded::<P>(step(op, a, b)));
         }
         left[0]
     }
 
     #[test]
     fn every_order_is_within_the_bound() {
+        check::<Single>([1.0, 1e-36, 1e30, 2e-38]);
+        check::<Half>([1.0, 1e-3, 300.0, 1e-4]);
+    }
+
+    fn check<P: Precision>(scales: [f64; 4]) {
         use SubgroupOperation as S;
         let mut drawn = Drawn(7);
         for round in 0..4000 {
             let op = [S::Add, S::Mul, S::Min, S::Max][round % 4];
             let count = 1 + drawn.below(32);
-            let scale = [1.0, 1e-36, 1e30, 2e-38][drawn.below(4)];
+            let scale = scales[drawn.below(4)];
             let number = |drawn: &mut Drawn| {
-                let x = f64::from(((drawn.below(2001) as f64 - 1000.0) / 700.0 * scale) as f32);
-                let low = f64::from((x as f32).next_down());
-                Float::closed(x as f32, x, if drawn.below(2) == 0 { low } else { x }, x)
+                let x = P::nearest((drawn.below(2001) as f64 - 1000.0) / 700.0 * scale);
+                let low = P::down(x.next_down());
+                Float::closed::<P>(x, x, if drawn.below(2) == 0 { low } else { x }, x)
             };
             let all: Vec<Float> = (0..count).map(|_| number(&mut drawn)).collect();
-            let bound = collected(op, &all, 0.0);
+            let bound = collected::<P>(op, &all, 0.0);
             for _ in 0..8 {
-                let found = driven(op, &all, &mut drawn);
+                let found = driven::<P>(op, &all, &mut drawn);
                 assert!(
                     !bound.bounded() || (bound.low..=bound.high).contains(&found),
                     "{op:?} of {count}, round {round}: {found:e} is not in {:e} ..= {:e}",
@@ -146,11 +152,12 @@ mod tests {
 
     #[test]
     fn bounds_are_of_the_size_of_what_is_rounded() {
-        let ones = [Float::closed(1.0, 1.0, 1.0, 1.0); 32];
-        let sum = collected(SubgroupOperation::Add, &ones, 32.0);
-        assert!(sum.bound() > 31.0 * 32.0 * ULP && sum.bound() < 31.1 * 32.0 * ULP, "{}", sum.bound());
-        let large = [Float::closed(f32::MAX, f32::MAX.into(), 0.0, f32::MAX.into()); 2];
-        assert!(!collected(SubgroupOperation::Add, &large, f32::INFINITY).bounded());
-        assert!(!collected(SubgroupOperation::Mul, &large, f32::INFINITY).bounded());
+        let ones = [Float::closed::<Single>(1.0, 1.0, 1.0, 1.0); 32];
+        let sum = collected::<Single>(SubgroupOperation::Add, &ones, 32.0);
+        let least = 31.0 * 32.0 * Single::ULP;
+        assert!(sum.bound() > least && sum.bound() < 1.003 * least, "{}", sum.bound());
+        let large = [Float::closed::<Single>(Single::MAX, Single::MAX, 0.0, Single::MAX); 2];
+        assert!(!collected::<Single>(SubgroupOperation::Add, &large, f64::INFINITY).bounded());
+        assert!(!collected::<Single>(SubgroupOperation::Mul, &large, f64::INFINITY).bounded());
     }
 }

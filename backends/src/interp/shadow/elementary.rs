@@ -4,25 +4,32 @@ use super::promise::{is_number, own, widen};
 use super::round::{above, below, ulp};
 use super::slope::{self, only};
 use super::tape::Slope;
-use super::{Float, MIN_NORMAL, Shadow};
+use super::{Float, Shadow};
 use crate::interp::formula;
+use crate::interp::precision::Precision;
+use crate::interp::program::op::FloatOp as O;
 use lobe_codegen::accuracy::Accuracy;
 use lobe_codegen::intrinsics::Intrinsic;
-use lobe_codegen::math::scalar;
 use std::f64::consts::PI;
 
-impl Shadow {
+impl<P: Precision> Shadow<P> {
     /// Puts the result of a function of one number on the tape.
     fn follow(&self, a: Float, result: Float, slope: fn(Float) -> Slope, classes: &[Accuracy]) -> Float {
         if !result.bounded() {
             return result;
         }
-        let error = if a.is_point() { Some(result.bound()) } else { own(classes, (a.low, a.high), result) };
+        let error =
+            if a.is_point() { Some(result.bound()) } else { own::<P>(classes, (a.low, a.high), result) };
         match error {
             Some(error) => self.link(result, error, only(a, slope(a))),
             None => self.source(result),
         }
     }
+}
+
+/// The strict result of an operation.
+fn one<P: Precision>(op: O, a: Float) -> f64 {
+    P::strict(op, [a.value, 0.0, 0.0])
 }
 
 /// `f` at the ends, in order, with the hair that f64 may be off.
@@ -32,85 +39,85 @@ fn ends(a: Float, f: fn(f64) -> f64) -> (f64, f64) {
 }
 
 /// A function that rises or falls all along `from <= x`.
-fn monotone(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, from: f64, classes: &[Accuracy]) -> Float {
-    let (value, exact) = (native(a.value), f(a.exact));
+fn monotone<P: Precision>(a: Float, op: O, f: fn(f64) -> f64, from: f64, classes: &[Accuracy]) -> Float {
+    let (value, exact) = (one::<P>(op, a), f(a.exact));
     let inside = a.bounded() && a.low >= from;
-    match inside.then(|| widen(classes, (a.low, a.high), ends(a, f))).flatten() {
-        Some((low, high)) => Float::closed(value, exact, low, high),
+    match inside.then(|| widen::<P>(classes, (a.low, a.high), ends(a, f))).flatten() {
+        Some((low, high)) => Float::closed::<P>(value, exact, low, high),
         None => Float::unbounded(value, exact),
     }
 }
 
-pub(super) fn exp(m: &Shadow, a: Float) -> Float {
+pub(super) fn exp<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Exp);
     m.composed(
         classes,
         |m| formula::exp(m, a),
         |m| {
-            let result = monotone(a, scalar::exp, libm::exp, f64::NEG_INFINITY, classes);
+            let result = monotone::<P>(a, O::Exp, libm::exp, f64::NEG_INFINITY, classes);
             m.follow(a, result, slope::exp, classes)
         },
     )
 }
 
-pub(super) fn exp2(m: &Shadow, a: Float) -> Float {
+pub(super) fn exp2<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Exp2);
-    let result = monotone(a, scalar::exp2, libm::exp2, f64::NEG_INFINITY, classes);
+    let result = monotone::<P>(a, O::Exp2, libm::exp2, f64::NEG_INFINITY, classes);
     m.follow(a, result, slope::exp2, classes)
 }
 
-pub(super) fn log(m: &Shadow, a: Float) -> Float {
+pub(super) fn log<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Log);
     m.composed(
         classes,
         |m| formula::log(m, a),
         |m| {
-            let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-            let result = monotone(a, scalar::log, libm::log, MIN_NORMAL, classes);
+            let a = if a.low < P::MIN_NORMAL { m.tightened(a) } else { a };
+            let result = monotone::<P>(a, O::Log, libm::log, P::MIN_NORMAL, classes);
             m.follow(a, result, slope::log, classes)
         },
     )
 }
 
-pub(super) fn log2(m: &Shadow, a: Float) -> Float {
+pub(super) fn log2<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Log2);
-    let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::log2, libm::log2, MIN_NORMAL, classes);
+    let a = if a.low < P::MIN_NORMAL { m.tightened(a) } else { a };
+    let result = monotone::<P>(a, O::Log2, libm::log2, P::MIN_NORMAL, classes);
     m.follow(a, result, slope::log2, classes)
 }
 
-pub(super) fn atan(m: &Shadow, a: Float) -> Float {
+pub(super) fn atan<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Atan);
-    let result = monotone(a, scalar::atan, libm::atan, f64::NEG_INFINITY, classes);
+    let result = monotone::<P>(a, O::Atan, libm::atan, f64::NEG_INFINITY, classes);
     m.follow(a, result, slope::atan, classes)
 }
 
-pub(super) fn inverse_sqrt(m: &Shadow, a: Float) -> Float {
+pub(super) fn inverse_sqrt<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::InverseSqrt);
-    let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let result = monotone(a, scalar::inverse_sqrt, |x| 1.0 / x.sqrt(), MIN_NORMAL, classes);
+    let a = if a.low < P::MIN_NORMAL { m.tightened(a) } else { a };
+    let result = monotone::<P>(a, O::InverseSqrt, |x| 1.0 / x.sqrt(), P::MIN_NORMAL, classes);
     m.follow(a, result, slope::inverse_sqrt, classes)
 }
 
 /// `1 / inverse_sqrt(x)`; see the readings in the module's documentation.
-pub(super) fn sqrt(m: &Shadow, a: Float) -> Float {
-    let a = if a.low < MIN_NORMAL { m.tightened(a) } else { a };
-    let (value, exact) = (scalar::sqrt(a.value), a.exact.sqrt());
+pub(super) fn sqrt<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    let a = if a.low < P::MIN_NORMAL { m.tightened(a) } else { a };
+    let (value, exact) = (one::<P>(O::Sqrt, a), a.exact.sqrt());
     if !(a.bounded() && a.low >= 0.0) {
         return Float::unbounded(value, exact);
     }
     let ulps = m.promise.root;
-    let (low, high) = ulp(ulps, ends(a, f64::sqrt));
-    if a.low < MIN_NORMAL {
-        return m.source(Float::closed(value, exact, 0.0, high));
+    let (low, high) = ulp::<P>(ulps, ends(a, f64::sqrt));
+    if a.low < P::MIN_NORMAL {
+        return m.source(Float::closed::<P>(value, exact, 0.0, high));
     }
-    m.follow(a, Float::closed(value, exact, low, high), slope::sqrt, &[Accuracy::Ulp(ulps)])
+    m.follow(a, Float::closed::<P>(value, exact, low, high), slope::sqrt, &[Accuracy::Ulp(ulps)])
 }
 
 /// Sine and cosine: their extremes within the interval are those of the ends and of the turning points, of which `top` is
 /// one where the function is 1.
-fn wave(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, top: f64, classes: &[Accuracy]) -> Float {
-    let (value, exact) = (native(a.value), f(a.exact));
+fn wave<P: Precision>(a: Float, op: O, f: fn(f64) -> f64, top: f64, classes: &[Accuracy]) -> Float {
+    let (value, exact) = (one::<P>(op, a), f(a.exact));
     if !a.bounded() {
         return Float::unbounded(value, exact);
     }
@@ -122,27 +129,27 @@ fn wave(a: Float, native: fn(f32) -> f32, f: fn(f64) -> f64, top: f64, classes: 
     if meets(top + PI) {
         results.0 = results.0.min(-1.0);
     }
-    match widen(classes, (a.low, a.high), results) {
-        Some((low, high)) => Float::closed(value, exact, low, high),
+    match widen::<P>(classes, (a.low, a.high), results) {
+        Some((low, high)) => Float::closed::<P>(value, exact, low, high),
         None => Float::unbounded(value, exact),
     }
 }
 
-pub(super) fn sin(m: &Shadow, a: Float) -> Float {
+pub(super) fn sin<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Sin);
-    let result = wave(a, scalar::sin, libm::sin, PI / 2.0, classes);
+    let result = wave::<P>(a, O::Sin, libm::sin, PI / 2.0, classes);
     m.follow(a, result, slope::sin, classes)
 }
 
-pub(super) fn cos(m: &Shadow, a: Float) -> Float {
+pub(super) fn cos<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
     let classes = m.promise.classes(Intrinsic::Cos);
-    let result = wave(a, scalar::cos, libm::cos, 0.0, classes);
+    let result = wave::<P>(a, O::Cos, libm::cos, 0.0, classes);
     m.follow(a, result, slope::cos, classes)
 }
 
 /// Seen from the origin, the box of arguments spans angles; where it meets the cut, all of them.
-pub(super) fn atan2(m: &Shadow, y: Float, x: Float) -> Float {
-    let (value, exact) = (scalar::atan2(y.value, x.value), libm::atan2(y.exact, x.exact));
+pub(super) fn atan2<P: Precision>(m: &Shadow<P>, y: Float, x: Float) -> Float {
+    let (value, exact) = (P::strict(O::Atan2, [y.value, x.value, 0.0]), libm::atan2(y.exact, x.exact));
     let origin = x.low <= 0.0 && x.high >= 0.0 && y.low <= 0.0 && y.high >= 0.0;
     if !y.bounded() || !x.bounded() || origin {
         return Float::unbounded(value, exact);
@@ -161,17 +168,17 @@ pub(super) fn atan2(m: &Shadow, y: Float, x: Float) -> Float {
         )
     };
     let classes = m.promise.classes(Intrinsic::Atan2);
-    let result = match widen(classes, (0.0, 0.0), results) {
-        Some((low, high)) => Float::closed(value, exact, low, high),
+    let result = match widen::<P>(classes, (0.0, 0.0), results) {
+        Some((low, high)) => Float::closed::<P>(value, exact, low, high),
         None => Float::unbounded(value, exact),
     };
-    match own(classes, (0.0, 0.0), result) {
+    match own::<P>(classes, (0.0, 0.0), result) {
         Some(error) if !cut => m.link(result, error, slope::atan2(y, x)),
         _ => m.source(result),
     }
 }
 
-impl Shadow {
+impl<P: Precision> Shadow<P> {
     /// The worse of a formula and of what a function is `by_itself`, as far as the classes have either.
     fn composed(
         &self,
@@ -195,12 +202,12 @@ impl Shadow {
         if !(a.bounded() && b.bounded()) {
             return Float::unbounded(a.value, a.exact);
         }
-        self.source(Float::closed(a.value, a.exact, a.low.min(b.low), a.high.max(b.high)))
+        self.source(Float::closed::<P>(a.value, a.exact, a.low.min(b.low), a.high.max(b.high)))
     }
 
     /// The same where the model promises the function `intrinsic` at all.
-    fn inherited(&self, intrinsic: Intrinsic, formula: Float, value: f32, exact: f64) -> Float {
-        if self.promise.holds(intrinsic) {
+    fn inherited(&self, intrinsic: Intrinsic, formula: Float, value: f64, exact: f64) -> Float {
+        if self.promise.has(intrinsic) {
             self.inherit(formula, value, exact)
         } else {
             Float::unbounded(value, exact)
@@ -208,9 +215,9 @@ impl Shadow {
     }
 
     /// The interval of `formula`; value and exact value of their own.
-    pub(super) fn inherit(&self, formula: Float, value: f32, exact: f64) -> Float {
+    pub(super) fn inherit(&self, formula: Float, value: f64, exact: f64) -> Float {
         if formula.bounded() {
-            let result = Float::closed(value, exact, formula.low, formula.high);
+            let result = Float::closed::<P>(value, exact, formula.low, formula.high);
             self.link(result, (exact - formula.exact).abs(), only(formula, Slope::ONE))
         } else {
             Float::unbounded(value, exact)
@@ -219,65 +226,65 @@ impl Shadow {
 }
 
 /// The worse of the formula and of an absolute error; `f` rises or falls all along `from ..= to`.
-fn inherited_or_absolute(
-    m: &Shadow,
+fn inherited_or_absolute<P: Precision>(
+    m: &Shadow<P>,
     a: Float,
     formula: Float,
-    native: fn(f32) -> f32,
+    op: O,
     f: fn(f64) -> f64,
     intrinsic: Intrinsic,
 ) -> Float {
-    let inherited = m.inherited(intrinsic, formula, native(a.value), f(a.exact));
+    let inherited = m.inherited(intrinsic, formula, one::<P>(op, a), f(a.exact));
     let classes = m.promise.classes(intrinsic);
     if !(inherited.bounded() && classes.iter().any(is_number)) {
         return inherited;
     }
-    match widen(classes, (a.low, a.high), ends(a, f)) {
+    match widen::<P>(classes, (a.low, a.high), ends(a, f)) {
         Some((low, high)) => {
             let (low, high) = (low.min(inherited.low), high.max(inherited.high));
-            m.source(Float::closed(inherited.value, inherited.exact, low, high))
+            m.source(Float::closed::<P>(inherited.value, inherited.exact, low, high))
         }
         None => Float::unbounded(inherited.value, inherited.exact),
     }
 }
 
-pub(super) fn asin(m: &Shadow, a: Float) -> Float {
-    inherited_or_absolute(m, a, formula::asin(m, a), scalar::asin, libm::asin, Intrinsic::Asin)
+pub(super) fn asin<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    inherited_or_absolute(m, a, formula::asin(m, a), O::Asin, libm::asin, Intrinsic::Asin)
 }
 
-pub(super) fn acos(m: &Shadow, a: Float) -> Float {
-    inherited_or_absolute(m, a, formula::acos(m, a), scalar::acos, libm::acos, Intrinsic::Acos)
+pub(super) fn acos<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    inherited_or_absolute(m, a, formula::acos(m, a), O::Acos, libm::acos, Intrinsic::Acos)
 }
 
-pub(super) fn tanh(m: &Shadow, a: Float) -> Float {
-    inherited_or_absolute(m, a, formula::tanh(m, a), scalar::tanh, libm::tanh, Intrinsic::Tanh)
+pub(super) fn tanh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    inherited_or_absolute(m, a, formula::tanh(m, a), O::Tanh, libm::tanh, Intrinsic::Tanh)
 }
 
-pub(super) fn tan(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Tan, formula::tan(m, a), scalar::tan(a.value), libm::tan(a.exact))
+pub(super) fn tan<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Tan, formula::tan(m, a), one::<P>(O::Tan, a), libm::tan(a.exact))
 }
 
-pub(super) fn sinh(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Sinh, formula::sinh(m, a), scalar::sinh(a.value), libm::sinh(a.exact))
+pub(super) fn sinh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Sinh, formula::sinh(m, a), one::<P>(O::Sinh, a), libm::sinh(a.exact))
 }
 
-pub(super) fn cosh(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Cosh, formula::cosh(m, a), scalar::cosh(a.value), libm::cosh(a.exact))
+pub(super) fn cosh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Cosh, formula::cosh(m, a), one::<P>(O::Cosh, a), libm::cosh(a.exact))
 }
 
-pub(super) fn asinh(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Asinh, formula::asinh(m, a), scalar::asinh(a.value), libm::asinh(a.exact))
+pub(super) fn asinh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Asinh, formula::asinh(m, a), one::<P>(O::Asinh, a), libm::asinh(a.exact))
 }
 
-pub(super) fn acosh(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Acosh, formula::acosh(m, a), scalar::acosh(a.value), libm::acosh(a.exact))
+pub(super) fn acosh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Acosh, formula::acosh(m, a), one::<P>(O::Acosh, a), libm::acosh(a.exact))
 }
 
-pub(super) fn atanh(m: &Shadow, a: Float) -> Float {
-    m.inherited(Intrinsic::Atanh, formula::atanh(m, a), scalar::atanh(a.value), libm::atanh(a.exact))
+pub(super) fn atanh<P: Precision>(m: &Shadow<P>, a: Float) -> Float {
+    m.inherited(Intrinsic::Atanh, formula::atanh(m, a), one::<P>(O::Atanh, a), libm::atanh(a.exact))
 }
 
-pub(super) fn pow(m: &Shadow, x: Float, y: Float) -> Float {
+pub(super) fn pow<P: Precision>(m: &Shadow<P>, x: Float, y: Float) -> Float {
     let exact = if x.exact < 0.0 { f64::NAN } else { libm::pow(x.exact, y.exact) };
-    m.inherited(Intrinsic::Pow, formula::pow(m, x, y), scalar::pow(x.value, y.value), exact)
+    m.inherited(Intrinsic::Pow, formula::pow(m, x, y), P::strict(O::Pow, [x.value, y.value, 0.0]), exact)
 }

@@ -1,6 +1,6 @@
-//! The shadow lane: beside each f32 its exact value and all values that permitted drivers may have.
+//! The shadow lane: beside each float its exact value and all values that permitted drivers may have.
 //!
-//! A float is `{ value, exact, low, high }`: what strict f32 gives, what the formula gives in real numbers
+//! A float is `{ value, exact, low, high }`: what strict arithmetic gives, what the formula gives in real numbers
 //! (f64), and an interval.
 //! **Claim:** whatever implementation evaluates the function while it keeps the accuracy rules of
 //! a model of [`lobe_codegen::accuracy`], its number lies in `low ..= high`; so `max(high - exact, exact - low)`
@@ -19,6 +19,9 @@
 //! An interval rather than a radius, because kernels guard their domains: after `max(x, 0)` nothing is
 //! negative, and only an interval says so to the root that follows.
 //!
+//! One model serves one [format](super::precision); those of the formats share a tape, so what is converted keeps what
+//! it shares.
+//!
 //! Readings of the rules that the specifications leave open:
 //!
 //! - A result that is correctly rounded lies between the floats that enclose it, so what is representable is
@@ -33,6 +36,8 @@
 //!   `acos(0)`.
 //! - `normalize` is `x / length(x)`, which is looser than the `x * inverse_sqrt(dot(x, x))` of Vulkan.
 //! - `sin` and `cos` keep their promise up to the f32 that is nearest to an end of the range.
+//! - Doubles are promised the precision of singles, so their results are rounded to 24 digits, and what has no more is
+//!   exact. What moves a double, or returns it (`abs`, `min`, `floor`, ..), keeps all its digits.
 //! - Once a number has no bound (overflow, a pole, a domain left), nothing computed from it has one, not even
 //!   `clamp` of it: it may be NaN.
 
@@ -47,34 +52,53 @@ mod round;
 mod slope;
 mod tape;
 
-pub(super) use promise::Promise;
+use promise::Promise;
+pub(super) use promise::Promises;
 
+use super::precision::{Precision, Single};
 use std::cell::RefCell;
+use std::marker::PhantomData;
+use std::rc::Rc;
 use tape::{Place, Slope, Tape};
 
-/// The model: what it remembers of a batch, and what drivers promise.
+/// The model for floats of a format: what it remembers of a batch, and what drivers promise.
 #[derive(Debug)]
-pub(super) struct Shadow {
-    tape: RefCell<Tape>,
+pub(super) struct Shadow<P = Single> {
+    /// That of all formats.
+    tape: Rc<RefCell<Tape>>,
+    promises: Promises,
     promise: Promise,
+    format: PhantomData<P>,
 }
 
 impl Shadow {
-    /// A model of drivers that keep a promise.
-    pub(super) fn new(promise: Promise) -> Self {
-        Self { tape: RefCell::default(), promise }
+    /// A model of drivers that keep their promises.
+    pub(super) fn new(promises: Promises) -> Self {
+        Self::with_tape(promises, Tape::default())
     }
 
     /// The same, but it forgets: its bounds are those of the intervals.
-    pub(super) fn forgetful(promise: Promise) -> Self {
-        Self { tape: RefCell::new(Tape::with_capacity(0)), promise }
+    pub(super) fn forgetful(promises: Promises) -> Self {
+        Self::with_tape(promises, Tape::with_capacity(0))
+    }
+
+    fn with_tape(promises: Promises, tape: Tape) -> Self {
+        let promise = promises.single;
+        Self { tape: Rc::new(RefCell::new(tape)), promises, promise, format: PhantomData }
+    }
+}
+
+impl<P> Shadow<P> {
+    /// The same model, for floats of another format.
+    fn of<Q>(&self, promise: Promise) -> Shadow<Q> {
+        Shadow { tape: self.tape.clone(), promises: self.promises, promise, format: PhantomData }
     }
 }
 
 /// A float; see the module's documentation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Float {
-    pub(super) value: f32,
+    pub(super) value: f64,
     pub(super) exact: f64,
     pub(super) low: f64,
     pub(super) high: f64,
@@ -84,7 +108,7 @@ pub(super) struct Float {
 /// An integer.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Word {
-    /// On the f32 path.
+    /// On the strict path.
     pub(super) value: u64,
     /// On the exact path.
     pub(super) exact: u64,
@@ -95,7 +119,7 @@ pub(super) struct Word {
 /// A decision.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Truth {
-    /// By the f32 numbers.
+    /// By the strict numbers.
     pub(super) value: bool,
     /// By the exact numbers.
     pub(super) exact: bool,
@@ -105,17 +129,22 @@ pub(super) struct Truth {
 
 impl Float {
     /// A number of which nothing is promised.
-    pub(super) fn unbounded(value: f32, exact: f64) -> Self {
+    pub(super) fn unbounded(value: f64, exact: f64) -> Self {
         Self { value, exact, low: f64::NEG_INFINITY, high: f64::INFINITY, place: Place::NONE }
     }
 
     /// Closes the interval under flushing and gives up what may overflow.
-    pub(super) fn closed(value: f32, exact: f64, low: f64, high: f64) -> Self {
-        const MAX: f64 = f32::MAX as f64;
-        let low = if low > 0.0 && low < MIN_NORMAL { 0.0 } else { low };
-        let high = if high < 0.0 && high > -MIN_NORMAL { 0.0 } else { high };
+    pub(super) fn closed<P: Precision>(value: f64, exact: f64, low: f64, high: f64) -> Self {
+        let (mut low, mut high) = (
+            if low > 0.0 && low < P::MIN_NORMAL { 0.0 } else { low },
+            if high < 0.0 && high > -P::MIN_NORMAL { 0.0 } else { high },
+        );
+        if P::IS_WIDE {
+            low = if low < 0.0 { low.min(-P::MIN_NORMAL) } else { low };
+            high = if high > 0.0 { high.max(P::MIN_NORMAL) } else { high };
+        }
         // Written so that NaN anywhere gives up, too.
-        if low >= -MAX && high <= MAX && exact.abs() <= MAX {
+        if low >= -P::MAX && high <= P::MAX && exact.abs() <= P::MAX {
             Self { value, exact, low: low.min(exact), high: high.max(exact), place: Place::NONE }
         } else {
             Self::unbounded(value, exact)
@@ -138,8 +167,18 @@ impl Float {
     }
 
     /// Whether a driver may have zero in place of this number.
-    fn may_flush(self) -> bool {
-        self.low < MIN_NORMAL && self.high > -MIN_NORMAL && !(self.low == 0.0 && self.high == 0.0)
+    fn may_flush<P: Precision>(self) -> bool {
+        self.is_below(P::MIN_NORMAL)
+    }
+
+    /// Whether it may be nearer to zero than that, and not be zero.
+    fn is_below(self, least: f64) -> bool {
+        self.low < least && self.high > -least && !self.is_zero()
+    }
+
+    /// Whether all drivers have zero.
+    fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
     }
 
     /// Whether so little is known that another look may pay.
@@ -154,13 +193,22 @@ impl Float {
     }
 }
 
-/// The smallest normal f32.
-const MIN_NORMAL: f64 = f32::MIN_POSITIVE as f64;
+impl<P: Precision> Shadow<P> {
+    /// A float that is `value` by strict arithmetic and `exact` in truth.
+    fn number(&self, value: f64, exact: f64) -> Float {
+        if value.is_finite() {
+            self.source(Float::closed::<P>(value, exact, value.min(exact), value.max(exact)))
+        } else {
+            Float::unbounded(value, exact)
+        }
+    }
 
-impl Shadow {
     /// Puts `result` of an operation on the tape, with its own error and what it owes to its operands.
     fn link(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
-        let number = self.tape.borrow_mut().record(result, own, operands);
+        if !self.promise.holds {
+            return Float::unbounded(result.value, result.exact);
+        }
+        let number = self.tape.borrow_mut().record::<P>(result, own, operands);
         // Of one operand the interval knows as much as the tape.
         let meet = operands.iter().all(|(operand, slope)| operand.is_placed() && !slope.is_zero());
         if meet && number.is_wide() { self.tightened(number) } else { number }
@@ -181,7 +229,10 @@ impl Shadow {
 
     /// Puts a number on the tape whose error is known by its interval alone.
     fn source(&self, result: Float) -> Float {
-        self.tape.borrow_mut().source(result)
+        if !self.promise.holds {
+            return Float::unbounded(result.value, result.exact);
+        }
+        self.tape.borrow_mut().source::<P>(result)
     }
 
     /// The largest distance of a number from its exact value.
@@ -211,8 +262,8 @@ impl Shadow {
         if !(first.ambiguous && a.bounded() && b.bounded()) {
             return first;
         }
-        let zero = Float::closed(0.0, 0.0, 0.0, 0.0);
-        let difference = interval::sub(a, b);
+        let zero = Float::closed::<P>(0.0, 0.0, 0.0, 0.0);
+        let difference = interval::sub::<P>(a, b);
         let known = self.tightened(self.link(difference, 0.0, [(a, Slope::ONE), (b, Slope::MINUS_ONE)]));
         Truth { ambiguous: compare(known, zero).ambiguous, ..first }
     }

@@ -1,14 +1,15 @@
 //! The shadow lane as a [`Model`].
 
-use super::round::{down, up};
 use super::slope::{only, rounded, rounded_product, rounded_sum};
 use super::tape::Slope;
 use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope};
 use crate::interp::formula;
 use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
+use crate::interp::precision::{Double, Half, Precision, Single};
 use crate::interp::program::Scalar;
-use lobe_codegen::math::scalar;
+use crate::interp::program::op::FloatOp;
+use crate::interp::scalar::convert;
 use naga::SubgroupOperation;
 
 /// Operations that put their results on the tape themselves, or whose results are sources there.
@@ -18,7 +19,7 @@ macro_rules! forward {
         $($name:ident($($arg:ident)*)),* of elementary;
     ) => {
         $(fn $piece(&self, $($a: Float),*) -> Float {
-            self.source(pieces::$piece($($a),*))
+            self.source(pieces::$piece::<P>($($a),*))
         })*
         $(fn $name(&self, $($arg: Float),*) -> Float {
             elementary::$name(self, $($arg),*)
@@ -26,40 +27,81 @@ macro_rules! forward {
     };
 }
 
-impl Model for Shadow {
+/// What a formula gives, with the strict value of the operation that stands for it.
+fn formed<P: Precision>(op: FloatOp, args: [Float; 3], formula: Float) -> Float {
+    Float { value: P::strict(op, args.map(|a| a.value)), ..formula }
+}
+
+/// The smallest normal number of a format.
+fn least(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::F16 => Half::MIN_NORMAL,
+        Scalar::F64 => Double::MIN_NORMAL,
+        _ => Single::MIN_NORMAL,
+    }
+}
+
+/// An f64 that is not above an integer and one that is not below it; `near` is the nearest.
+fn around(whole: i128, near: f64) -> (f64, f64) {
+    if near as i128 == whole { (near, near) } else { (near.next_down(), near.next_up()) }
+}
+
+impl<P: Precision> Model for Shadow<P> {
     const SHADOW: bool = true;
+    const ALL_WIDTHS: bool = true;
     type F = Float;
     type W = Word;
     type B = Truth;
 
+    type Half = Shadow<Half>;
+    type Double = Shadow<Double>;
+    fn half(&self) -> Shadow<Half> {
+        self.of(self.promises.half)
+    }
+    fn double(&self) -> Shadow<Double> {
+        self.of(self.promises.double)
+    }
+
     fn float(&self, value: f32, exact: f64) -> Float {
-        let x = f64::from(value);
-        if x.is_finite() {
-            self.source(Float::closed(value, exact, x.min(exact), x.max(exact)))
-        } else {
-            Float::unbounded(value, exact)
+        self.number(value.into(), exact)
+    }
+    fn converted(&self, a: Float, from: Scalar) -> Float {
+        let value = P::held(a.value);
+        if !a.bounded() {
+            return Float::unbounded(value, a.exact);
         }
+        // A number that is subnormal there may be flushed on its way.
+        let flushed = if a.is_below(least(from)) { least(from) } else { 0.0 };
+        if from.bytes() < P::SCALAR.bytes() {
+            let wider = Float::closed::<P>(value, a.exact, a.low, a.high);
+            return self.link(wider, flushed, only(a, Slope::ONE));
+        }
+        let narrower = Float::closed::<P>(value, a.exact, P::down(a.low), P::up(a.high));
+        self.link(narrower, rounded::<P>(narrower, [a, a]) + flushed, only(a, Slope::ONE))
+    }
+    fn unpromised(&self, a: Float) -> Float {
+        Float::unbounded(a.value, a.exact)
     }
     /// A driver may have rounded a formula's constant either way.
     fn constant(&self, exact: f64) -> Float {
-        self.source(Float::closed(exact as f32, exact, down(exact), up(exact)))
+        self.source(Float::closed::<P>(P::nearest(exact), exact, P::down(exact), P::up(exact)))
     }
     fn value(&self, a: Float) -> f32 {
-        a.value
+        a.value as f32
     }
     fn exact(&self, a: Float) -> f64 {
         a.exact
     }
     fn with_truth(&self, a: Float, truth: f64) -> Float {
         if a.bounded() {
-            let told = Float::closed(a.value, truth, a.low, a.high);
+            let told = Float::closed::<P>(a.value, truth, a.low, a.high);
             self.link(told, (truth - a.exact).abs(), only(a, Slope::ONE))
         } else {
             Float::unbounded(a.value, truth)
         }
     }
     fn collected(&self, op: SubgroupOperation, all: &[Float], strict: Float) -> Float {
-        self.source(collect::collected(op, all, strict.value))
+        self.source(collect::collected::<P>(op, all, strict.value))
     }
     fn join_f(&self, a: Float, b: Float, pick: Pick) -> Float {
         let value = if pick.value { a.value } else { b.value };
@@ -151,27 +193,27 @@ impl Model for Shadow {
     }
 
     fn to_word(&self, a: Float, to: Scalar) -> Word {
-        let number = |x: f64| integer::truncated_exact(x, to);
+        let number = |x: f64| convert::truncated(x, P::DIGITS, to);
         let known = a.bounded() && number(a.low) == number(a.high);
-        Word { value: integer::truncated(a.value, to), exact: number(a.exact), known }
+        Word { value: number(a.value), exact: number(a.exact), known }
     }
     fn to_float(&self, a: Word, from: Scalar) -> Float {
-        let (value, exact) = (integer::rounded(a.value, from), integer::number(a.exact, from) as f64);
+        let whole = integer::number(a.exact, from);
+        let (value, exact) = (P::of_integer(integer::number(a.value, from)), whole as f64);
         if a.known {
-            self.source(Float::closed(value, exact, down(exact), up(exact)))
+            let (low, high) = around(whole, exact);
+            self.source(Float::closed::<P>(value, exact, P::down(low), P::up(high)))
         } else {
             Float::unbounded(value, exact)
         }
     }
     fn bits(&self, a: Float) -> Word {
-        let exact = (a.exact as f32).to_bits().into();
         // Zero has two signs, and a driver may have either.
-        Word { value: a.value.to_bits().into(), exact, known: a.is_point() && (a.low != 0.0) }
+        Word { value: P::bits(a.value), exact: P::bits(a.exact), known: a.is_point() && (a.low != 0.0) }
     }
     fn float_of_bits(&self, a: Word) -> Float {
-        let number = |bits: u64| f32::from_bits(bits as u32);
-        let (value, exact) = (number(a.value), f64::from(number(a.exact)));
-        if a.known { self.float(value, exact) } else { Float::unbounded(value, exact) }
+        let (value, exact) = (P::of_bits(a.value), P::of_bits(a.exact));
+        if a.known { self.number(value, exact) } else { Float::unbounded(value, exact) }
     }
     fn nonnegative(&self, a: Float) -> Float {
         let cut =
@@ -180,61 +222,75 @@ impl Model for Shadow {
     }
 
     fn add(&self, a: Float, b: Float) -> Float {
-        let sum = interval::add(a, b);
-        self.link(sum, rounded_sum(sum, [a, b]), self.summands(a, b, Slope::ONE))
+        let sum = interval::add::<P>(a, b);
+        self.link(sum, rounded_sum::<P>(sum, [a, b]), self.summands(a, b, Slope::ONE))
     }
     fn sub(&self, a: Float, b: Float) -> Float {
-        let difference = interval::sub(a, b);
-        self.link(difference, rounded_sum(difference, [a, b]), self.summands(a, b, Slope::MINUS_ONE))
+        let difference = interval::sub::<P>(a, b);
+        self.link(difference, rounded_sum::<P>(difference, [a, b]), self.summands(a, b, Slope::MINUS_ONE))
     }
     fn mul(&self, a: Float, b: Float) -> Float {
-        let product = interval::mul(a, b);
-        self.link_product(product, rounded_product(product, [a, b]), slope::mul(a, b))
+        let product = interval::mul::<P>(a, b);
+        self.link_product(product, rounded_product::<P>(product, [a, b]), slope::mul(a, b))
     }
     fn square(&self, a: Float) -> Float {
-        let square = interval::square(a);
-        self.link_product(square, rounded(square, [a, a]), slope::square(a))
+        let square = interval::square::<P>(a);
+        self.link_product(square, rounded::<P>(square, [a, a]), slope::square(a))
     }
     fn neg(&self, a: Float) -> Float {
-        self.tape.borrow_mut().negative(a, interval::neg(a))
+        self.tape.borrow_mut().negative::<P>(a, interval::neg(a))
     }
     fn abs(&self, a: Float) -> Float {
-        self.link(pieces::abs(a), 0.0, slope::abs(a))
+        self.link(pieces::abs::<P>(a), 0.0, slope::abs(a))
     }
     fn min(&self, a: Float, b: Float) -> Float {
-        self.link(pieces::min(a, b), 0.0, slope::min(a, b))
+        self.link(pieces::min::<P>(a, b), 0.0, slope::min(a, b))
     }
     fn max(&self, a: Float, b: Float) -> Float {
-        self.link(pieces::max(a, b), 0.0, slope::max(a, b))
+        self.link(pieces::max::<P>(a, b), 0.0, slope::max(a, b))
     }
     /// `a - b * trunc(a / b)`
     fn rem(&self, a: Float, b: Float) -> Float {
+        let (value, exact) = (P::strict(FloatOp::Rem, [a.value, b.value, 0.0]), a.exact % b.exact);
         if !self.promise.remainder {
-            return Float::unbounded(a.value % b.value, a.exact % b.exact);
+            return Float::unbounded(value, exact);
         }
         let formula = self.sub(a, self.mul(b, self.trunc(self.div(a, b))));
-        self.inherit(formula, a.value % b.value, a.exact % b.exact)
+        self.inherit(formula, value, exact)
     }
     fn fma(&self, x: Float, y: Float, z: Float) -> Float {
-        Float { value: scalar::fma(x.value, y.value, z.value), ..self.add(self.mul(x, y), z) }
+        formed::<P>(FloatOp::Fma, [x, y, z], self.add(self.mul(x, y), z))
     }
     fn div(&self, a: Float, b: Float) -> Float {
         let b = if b.low <= 0.0 && b.high >= 0.0 { self.tightened(b) } else { b };
         let promise = self.promise.quotient;
-        let quotient = interval::div(a, b, promise);
-        self.link(quotient, slope::divided(quotient, [a, b], promise.ulps), slope::div(a, b, quotient.exact))
+        let quotient = interval::div::<P>(a, b, promise);
+        self.link(
+            quotient,
+            slope::divided::<P>(quotient, [a, b], promise.ulps),
+            slope::div(a, b, quotient.exact),
+        )
     }
     fn mix(&self, x: Float, y: Float, t: Float) -> Float {
-        let mixed = formula::mix(self, x, y, t);
+        let mixed = formed::<P>(FloatOp::Mix, [x, y, t], formula::mix(self, x, y, t));
         if !self.promise.lerp {
             return mixed;
         }
         self.hull(mixed, formula::lerp(self, x, y, t))
     }
+    fn smoothstep(&self, low: Float, high: Float, x: Float) -> Float {
+        formed::<P>(FloatOp::SmoothStep, [low, high, x], formula::smoothstep(self, low, high, x))
+    }
+    fn degrees(&self, a: Float) -> Float {
+        formed::<P>(FloatOp::Degrees, [a, a, a], formula::degrees(self, a))
+    }
+    fn radians(&self, a: Float) -> Float {
+        formed::<P>(FloatOp::Radians, [a, a, a], formula::radians(self, a))
+    }
     fn fract(&self, a: Float) -> Float {
-        let part = pieces::fract(a);
+        let part = pieces::fract::<P>(a);
         if a.low.floor() == a.high.floor() {
-            self.link(part, rounded(part, [a, a]), only(a, Slope::ONE))
+            self.link(part, rounded::<P>(part, [a, a]), only(a, Slope::ONE))
         } else {
             self.source(part)
         }

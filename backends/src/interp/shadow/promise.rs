@@ -2,11 +2,48 @@
 
 use super::Float;
 use super::round::{above, absolute, largest_ulp, ulp};
-use lobe_codegen::accuracy::{Accuracy, LERP, Model, Operation};
+use crate::interp::precision::Precision;
+use lobe_codegen::accuracy::{Accuracy, LERP, Model, Operation, Width};
 use lobe_codegen::intrinsics::Intrinsic;
 use naga::BinaryOperator;
 
+const DIVIDE: Operation = Operation::Infix(BinaryOperator::Divide);
 const REMAINDER: Operation = Operation::Infix(BinaryOperator::Modulo);
+
+/// What the lane asks a model for; all else it takes for exact, correctly rounded, or a formula.
+const LOOKED_UP: [Operation; 22] = [
+    DIVIDE,
+    REMAINDER,
+    Operation::Builtin(Intrinsic::Sqrt),
+    Operation::Builtin(Intrinsic::InverseSqrt),
+    Operation::Builtin(Intrinsic::Exp),
+    Operation::Builtin(Intrinsic::Exp2),
+    Operation::Builtin(Intrinsic::Log),
+    Operation::Builtin(Intrinsic::Log2),
+    Operation::Builtin(Intrinsic::Pow),
+    Operation::Builtin(Intrinsic::Sin),
+    Operation::Builtin(Intrinsic::Cos),
+    Operation::Builtin(Intrinsic::Tan),
+    Operation::Builtin(Intrinsic::Asin),
+    Operation::Builtin(Intrinsic::Acos),
+    Operation::Builtin(Intrinsic::Atan),
+    Operation::Builtin(Intrinsic::Atan2),
+    Operation::Builtin(Intrinsic::Sinh),
+    Operation::Builtin(Intrinsic::Cosh),
+    Operation::Builtin(Intrinsic::Tanh),
+    Operation::Builtin(Intrinsic::Asinh),
+    Operation::Builtin(Intrinsic::Acosh),
+    Operation::Builtin(Intrinsic::Atanh),
+];
+
+/// What it takes for granted.
+fn granted() -> impl Iterator<Item = Operation> {
+    Operation::all().filter(|operation| !LOOKED_UP.contains(operation))
+}
+
+fn is_granted(class: &Accuracy) -> bool {
+    matches!(class, Accuracy::Exact | Accuracy::Correct | Accuracy::Inherited(_))
+}
 
 /// Of a quotient.
 #[derive(Debug, Clone, Copy)]
@@ -18,10 +55,30 @@ pub(super) struct Quotient {
     pub(super) to: f64,
 }
 
-/// A model, with what is asked of it at every quotient and every root.
+/// What a model promises of floats of each width.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::interp) struct Promise {
+pub(in crate::interp) struct Promises {
+    pub(super) half: Promise,
+    pub(super) single: Promise,
+    pub(super) double: Promise,
+}
+
+impl Promises {
+    pub(in crate::interp) fn of(model: &'static Model) -> Self {
+        let [half, single, double] =
+            [Width::Half, Width::Single, Width::Double].map(|w| Promise::of(model, w));
+        Self { half, single, double }
+    }
+}
+
+/// A model and a width, with what is asked of them at every quotient and every root.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Promise {
     model: &'static Model,
+    width: Width,
+    /// Whether the model promises what is taken for granted: that most operations are exact, correctly rounded, or
+    /// as a formula has it. Without that no number has a bound.
+    pub(super) holds: bool,
     pub(super) quotient: Quotient,
     /// Error of a square root, in ULP.
     pub(super) root: f64,
@@ -32,31 +89,33 @@ pub(in crate::interp) struct Promise {
 }
 
 impl Promise {
-    pub(in crate::interp) fn of(model: &'static Model) -> Self {
-        let quotient = quotient(model);
+    fn of(model: &'static Model, width: Width) -> Self {
+        let of = |operation| model.classes_of(operation, width);
+        let quotient = quotient(of(DIVIDE));
         Self {
             model,
+            width,
+            holds: granted().all(|operation| of(operation).iter().all(is_granted)),
             quotient,
-            root: root(model, quotient.ulps),
-            remainder: !model.classes(REMAINDER).contains(&Accuracy::Nothing),
-            lerp: model.builtin(Intrinsic::Mix).contains(&Accuracy::Inherited(LERP)),
+            root: root(&of, quotient.ulps, width),
+            remainder: !of(REMAINDER).contains(&Accuracy::Nothing),
+            lerp: of(Operation::Builtin(Intrinsic::Mix)).contains(&Accuracy::Inherited(LERP)),
         }
     }
 
     /// The classes of a built-in function; the worst one counts.
     pub(super) fn classes(&self, intrinsic: Intrinsic) -> &'static [Accuracy] {
-        self.model.builtin(intrinsic)
+        self.model.classes_of(Operation::Builtin(intrinsic), self.width)
     }
 
     /// Whether anything is promised of a built-in function.
-    pub(super) fn holds(&self, intrinsic: Intrinsic) -> bool {
+    pub(super) fn has(&self, intrinsic: Intrinsic) -> bool {
         !self.classes(intrinsic).contains(&Accuracy::Nothing)
     }
 }
 
 /// The quotient of a model that promises none has no divisors.
-fn quotient(model: &Model) -> Quotient {
-    let divide = model.classes(Operation::Infix(BinaryOperator::Divide));
+fn quotient(divide: &[Accuracy]) -> Quotient {
     let known = |class: &Accuracy| match *class {
         Accuracy::UlpWhere { ulp, from, to } => Quotient { ulps: ulp, from, to },
         _ => Quotient { ulps: 0.0, from: f64::INFINITY, to: 0.0 },
@@ -70,8 +129,10 @@ fn quotient(model: &Model) -> Quotient {
     divide.iter().map(known).fold(any, worse)
 }
 
-/// Of `1 / inverse_sqrt(x)`: `(1 + m u)(1 + n u) < 1 + (m + n + 0.0001) u`.
-fn root(model: &Model, quotient: f64) -> f64 {
+/// Of `1 / inverse_sqrt(x)`: `(1 + m u)(1 + n u) = 1 + (m + n + m n u) u`, where `m n u` is below 0.0001 for f32, and
+/// below 0.01 for f16.
+fn root(of: &dyn Fn(Operation) -> &'static [Accuracy], quotient: f64, width: Width) -> f64 {
+    let second_order = if width == Width::Half { 0.01 } else { 0.0001 };
     let ulps = |classes: &[Accuracy]| {
         let ulps = classes.iter().map(|class| match *class {
             Accuracy::Exact | Accuracy::Correct => 1.0,
@@ -80,21 +141,27 @@ fn root(model: &Model, quotient: f64) -> f64 {
         });
         ulps.fold(0.0, f64::max)
     };
-    let of = |class: &Accuracy| match class {
-        Accuracy::Inherited(_) => ulps(model.builtin(Intrinsic::InverseSqrt)) + quotient + 0.0001,
+    let all = |class: &Accuracy| match class {
+        Accuracy::Inherited(_) => {
+            ulps(of(Operation::Builtin(Intrinsic::InverseSqrt))) + quotient + second_order
+        }
         class => ulps(&[*class]),
     };
-    model.builtin(Intrinsic::Sqrt).iter().map(of).fold(0.0, f64::max)
+    of(Operation::Builtin(Intrinsic::Sqrt)).iter().map(all).fold(0.0, f64::max)
 }
 
 /// Widens the exact results for arguments of `low ..= high` by the worst of the classes that are numbers.
-pub(super) fn widen(classes: &[Accuracy], argument: (f64, f64), results: (f64, f64)) -> Option<(f64, f64)> {
+pub(super) fn widen<P: Precision>(
+    classes: &[Accuracy],
+    argument: (f64, f64),
+    results: (f64, f64),
+) -> Option<(f64, f64)> {
     if let [class] = classes {
-        return widen_by(*class, argument, results);
+        return widen_by::<P>(*class, argument, results);
     }
     let mut wide = results;
     for class in classes.iter().filter(|class| is_number(class)) {
-        let (low, high) = widen_by(*class, argument, results)?;
+        let (low, high) = widen_by::<P>(*class, argument, results)?;
         wide = (wide.0.min(low), wide.1.max(high));
     }
     Some(wide)
@@ -105,16 +172,20 @@ pub(super) fn is_number(class: &Accuracy) -> bool {
     !matches!(class, Accuracy::Inherited(_))
 }
 
-fn widen_by(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Option<(f64, f64)> {
+fn widen_by<P: Precision>(
+    accuracy: Accuracy,
+    argument: (f64, f64),
+    results: (f64, f64),
+) -> Option<(f64, f64)> {
     let size = argument.0.abs().max(argument.1.abs());
     Some(match accuracy {
-        Accuracy::Exact | Accuracy::Correct => ulp(1.0, results),
-        Accuracy::Ulp(n) | Accuracy::UlpWhere { ulp: n, .. } => ulp(n, results),
-        Accuracy::UlpScaled { base, slope } => ulp(base + slope * size, results),
+        Accuracy::Exact | Accuracy::Correct => ulp::<P>(1.0, results),
+        Accuracy::Ulp(n) | Accuracy::UlpWhere { ulp: n, .. } => ulp::<P>(n, results),
+        Accuracy::UlpScaled { base, slope } => ulp::<P>(base + slope * size, results),
         Accuracy::UlpOrAbsolute { ulp: n, absolute: error, from, to } => {
             let apart = argument.1 < from || argument.0 > to;
             let within = argument.0 >= from && argument.1 <= to;
-            let (a, b) = (absolute(error, results), ulp(n, results));
+            let (a, b) = (absolute(error, results), ulp::<P>(n, results));
             match (apart, within) {
                 (true, _) => b,
                 (_, true) => a,
@@ -123,8 +194,8 @@ fn widen_by(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Op
         }
         Accuracy::Absolute(error) => absolute(error, results),
         Accuracy::AbsoluteOn { absolute: error, from, to } => {
-            // The f32 nearest to an end is taken for it.
-            let (from, to) = (from.min(f64::from(from as f32)), to.max(f64::from(to as f32)));
+            // The number nearest to an end is taken for it.
+            let (from, to) = (from.min(P::nearest(from)), to.max(P::nearest(to)));
             if argument.0 < from || argument.1 > to {
                 return None;
             }
@@ -135,20 +206,20 @@ fn widen_by(accuracy: Accuracy, argument: (f64, f64), results: (f64, f64)) -> Op
 }
 
 /// The own error of a result, as [`widen`] has it; `None` where it is not of one size.
-pub(super) fn own(classes: &[Accuracy], argument: (f64, f64), result: Float) -> Option<f64> {
+pub(super) fn own<P: Precision>(classes: &[Accuracy], argument: (f64, f64), result: Float) -> Option<f64> {
     if let [class] = classes {
-        return own_by(*class, argument, result);
+        return own_by::<P>(*class, argument, result);
     }
     let mut worst = 0.0_f64;
     for class in classes.iter().filter(|class| is_number(class)) {
-        worst = worst.max(own_by(*class, argument, result)?);
+        worst = worst.max(own_by::<P>(*class, argument, result)?);
     }
     Some(worst)
 }
 
-fn own_by(accuracy: Accuracy, argument: (f64, f64), result: Float) -> Option<f64> {
+fn own_by<P: Precision>(accuracy: Accuracy, argument: (f64, f64), result: Float) -> Option<f64> {
     let size = argument.0.abs().max(argument.1.abs());
-    let ulps = |n: f64| largest_ulp(n, (result.low, result.high));
+    let ulps = |n: f64| largest_ulp::<P>(n, (result.low, result.high));
     match accuracy {
         Accuracy::Exact | Accuracy::Correct => Some(ulps(1.0)),
         Accuracy::Ulp(n) | Accuracy::UlpWhere { ulp: n, .. } => Some(ulps(n)),
@@ -170,48 +241,31 @@ fn own_by(accuracy: Accuracy, argument: (f64, f64), result: Float) -> Option<f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Intrinsic as I;
-
-    /// What the lane asks a model for; all else it takes for exact, correctly rounded, or a formula.
-    const LOOKED_UP: [Operation; 22] = [
-        Operation::Infix(BinaryOperator::Divide),
-        REMAINDER,
-        Operation::Builtin(I::Sqrt),
-        Operation::Builtin(I::InverseSqrt),
-        Operation::Builtin(I::Exp),
-        Operation::Builtin(I::Exp2),
-        Operation::Builtin(I::Log),
-        Operation::Builtin(I::Log2),
-        Operation::Builtin(I::Pow),
-        Operation::Builtin(I::Sin),
-        Operation::Builtin(I::Cos),
-        Operation::Builtin(I::Tan),
-        Operation::Builtin(I::Asin),
-        Operation::Builtin(I::Acos),
-        Operation::Builtin(I::Atan),
-        Operation::Builtin(I::Atan2),
-        Operation::Builtin(I::Sinh),
-        Operation::Builtin(I::Cosh),
-        Operation::Builtin(I::Tanh),
-        Operation::Builtin(I::Asinh),
-        Operation::Builtin(I::Acosh),
-        Operation::Builtin(I::Atanh),
-    ];
 
     #[test]
     fn what_the_lane_takes_for_granted_stands_in_every_table() {
         for model in Model::all() {
-            for row in model.rows().iter().filter(|row| !LOOKED_UP.contains(&row.operation)) {
-                let is_granted =
-                    |c: &Accuracy| matches!(c, Accuracy::Exact | Accuracy::Correct | Accuracy::Inherited(_));
-                assert!(row.f32.iter().all(is_granted), "{}: {}", model.name, row.operation);
+            for operation in granted() {
+                assert!(model.classes(operation).iter().all(is_granted), "{}: {operation}", model.name);
             }
         }
     }
 
     #[test]
+    fn other_widths_have_promises_where_their_tables_do() {
+        let held = |name| {
+            let promises = Promises::of(Model::named(name).expect("a model"));
+            [promises.half, promises.single, promises.double].map(|p| p.holds)
+        };
+        assert_eq!(held("portable"), [true; 3]);
+        assert_eq!(held("vulkan"), [true; 3]);
+        assert_eq!(held("wgsl"), [true, true, false]);
+        assert_eq!(held("hlsl"), [false, true, false]);
+    }
+
+    #[test]
     fn a_root_costs_what_its_formula_does() {
-        let root = |name| Promise::of(Model::named(name).expect("a model")).root;
+        let root = |name| Promises::of(Model::named(name).expect("a model")).single.root;
         assert_eq!(["portable", "wgsl", "vulkan", "hlsl"].map(root), [4.5001, 4.5001, 4.5001, 1.0]);
     }
 }

@@ -1,9 +1,13 @@
 //! How much each operation's result follows its operands: difference quotients against the exact values.
 
-use super::round::{ULP, largest_ulp};
+use super::Float;
+use super::round::largest_ulp;
 use super::tape::Slope;
-use super::{Float, MIN_NORMAL};
+use crate::interp::precision::Precision;
 use std::f64::consts::LN_2;
+
+/// More than the relative error of a derivative.
+const HAIR: f64 = 1.0 / (1_u64 << 46) as f64;
 
 /// An operand with the slope in it.
 pub(super) type Link = (Float, Slope);
@@ -74,7 +78,7 @@ pub(super) fn sqrt(a: Float) -> Slope {
 
 /// Between the derivatives at the ends, which rise or fall all along.
 fn monotone(a: Float, derivative: fn(f64) -> f64) -> Slope {
-    Slope::between(derivative(a.low), derivative(a.high)).wider(ULP * ULP)
+    Slope::between(derivative(a.low), derivative(a.high)).wider(HAIR)
 }
 
 pub(super) fn inverse_sqrt(a: Float) -> Slope {
@@ -135,37 +139,37 @@ fn known(a: Float) -> bool {
 }
 
 /// Own error of a correctly rounded result, either way.
-pub(super) fn rounded(result: Float, operands: [Float; 2]) -> f64 {
+pub(super) fn rounded<P: Precision>(result: Float, operands: [Float; 2]) -> f64 {
     if operands.into_iter().all(known) {
         return result.bound();
     }
-    spacing(result.low.abs().max(result.high.abs()))
+    spacing::<P>(result.low.abs().max(result.high.abs()))
 }
 
-/// Own error of a sum: adding nothing is exact.
-pub(super) fn rounded_sum(result: Float, [a, b]: [Float; 2]) -> f64 {
+/// Own error of a sum: adding nothing is exact, where all digits are promised.
+pub(super) fn rounded_sum<P: Precision>(result: Float, [a, b]: [Float; 2]) -> f64 {
     let nothing = |x: Float| known(x) && x.low == 0.0;
-    if nothing(a) || nothing(b) { 0.0 } else { rounded(result, [a, b]) }
+    if !P::IS_WIDE && (nothing(a) || nothing(b)) { 0.0 } else { rounded::<P>(result, [a, b]) }
 }
 
-/// Own error of a product: a power of two shifts.
-pub(super) fn rounded_product(result: Float, [a, b]: [Float; 2]) -> f64 {
+/// Own error of a product: a power of two shifts, where all digits are promised.
+pub(super) fn rounded_product<P: Precision>(result: Float, [a, b]: [Float; 2]) -> f64 {
     let shift = |x: Float| known(x) && (x.low.to_bits() & ((1 << 52) - 1)) == 0;
-    if shift(a) || shift(b) { 0.0 } else { rounded(result, [a, b]) }
+    if !P::IS_WIDE && (shift(a) || shift(b)) { 0.0 } else { rounded::<P>(result, [a, b]) }
 }
 
 /// Own error of a quotient; see [`super::interval::div`].
-pub(super) fn divided(result: Float, operands: [Float; 2], ulps: f64) -> f64 {
+pub(super) fn divided<P: Precision>(result: Float, operands: [Float; 2], ulps: f64) -> f64 {
     if operands.into_iter().all(known) {
         result.bound()
     } else {
-        largest_ulp(ulps, (result.low, result.high))
+        largest_ulp::<P>(ulps, (result.low, result.high))
     }
 }
 
 /// Distance of neighbouring floats below `size`.
-fn spacing(size: f64) -> f64 {
+fn spacing<P: Precision>(size: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let power = f64::from_bits(size.next_down().to_bits() & EXPONENT);
-    power.max(MIN_NORMAL) * ULP
+    power.max(P::MIN_NORMAL) * P::ULP
 }

@@ -16,7 +16,8 @@
 //! Slopes along different ways to the same operation add up before their largest value is taken, so
 //! what cancels cancels.
 
-use super::{Float, MIN_NORMAL};
+use super::Float;
+use crate::interp::precision::Precision;
 use std::cell::RefCell;
 
 thread_local! {
@@ -128,22 +129,27 @@ impl Tape {
     }
 
     /// `result`, of which nothing is remembered but its interval; still, it is one number wherever it is used.
-    pub(super) fn source(&mut self, result: Float) -> Float {
-        self.record(result, result.bound(), [(result, Slope::ZERO); 2])
+    pub(super) fn source<P: Precision>(&mut self, result: Float) -> Float {
+        self.record::<P>(result, result.bound(), [(result, Slope::ZERO); 2])
     }
 
     /// `result` of an operation on two operands.
-    pub(super) fn record(&mut self, result: Float, mut own: f64, operands: [(Float, Slope); 2]) -> Float {
+    pub(super) fn record<P: Precision>(
+        &mut self,
+        result: Float,
+        mut own: f64,
+        operands: [(Float, Slope); 2],
+    ) -> Float {
         let place = Place(self.steps.len() as u32);
         if !result.bounded() || result.bound() == 0.0 || self.steps.len() >= self.capacity {
             return Float { place: Place::NONE, ..result };
         }
-        if result.may_flush() {
-            own += MIN_NORMAL;
+        if result.may_flush::<P>() {
+            own += P::MIN_NORMAL;
         }
         for (operand, slope) in operands {
-            if operand.may_flush() {
-                own += slope.size() * MIN_NORMAL; // here, and perhaps nowhere else
+            if operand.may_flush::<P>() {
+                own += slope.size() * P::MIN_NORMAL; // here, and perhaps nowhere else
             }
             if operand.place == Place::NONE && !slope.is_zero() && operand.bound() > 0.0 {
                 own += slope.size() * operand.bound();
@@ -151,7 +157,7 @@ impl Tape {
         }
         let [(a, in_a), (b, in_b)] = operands;
         if !(own.is_finite() && in_a.is_finite() && in_b.is_finite()) {
-            return self.source(result);
+            return self.source::<P>(result);
         }
         self.steps.push(Step { operands: [a.place, b.place], slopes: [in_a, in_b], own, is_product: false });
         Float { place, ..result }
@@ -178,14 +184,16 @@ impl Tape {
     }
 
     /// Puts the opposite of a number on the tape; that of a product is one.
-    pub(super) fn negative(&mut self, number: Float, result: Float) -> Float {
+    pub(super) fn negative<P: Precision>(&mut self, number: Float, result: Float) -> Float {
         match number.place.index() {
             Some(index) if self.steps[index].is_product && self.steps.len() < self.capacity => {
                 let step = self.steps[index];
                 self.steps.push(Step { slopes: step.slopes.map(|s| s.times(-1.0)), ..step });
                 Float { place: Place(self.steps.len() as u32 - 1), ..result }
             }
-            Some(_) | None => self.record(result, 0.0, [(number, Slope::MINUS_ONE), (number, Slope::ZERO)]),
+            Some(_) | None => {
+                self.record::<P>(result, 0.0, [(number, Slope::MINUS_ONE), (number, Slope::ZERO)])
+            }
         }
     }
 
