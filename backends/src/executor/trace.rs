@@ -69,7 +69,7 @@ pub fn perturbed(traced: &Traced, args: &Columns, seed: u64) -> Result<Trace, In
 /// As [`Interpreter::shadow_run`].
 pub fn shadow(traced: &Traced, args: &Columns) -> Result<Option<ShadowBuffer>, InterpError> {
     let mut buffers = buffers(traced, args);
-    let written = Interpreter::new(&traced.module)?.shadow_run(0, [1, 1, 1], &mut buffers)?;
+    let written = Interpreter::new(&traced.module)?.shadow_run(0, [1, 1, 1], &mut buffers)?.buffers;
     Ok(written.into_iter().find(|buffer| buffer.binding == traced.binding))
 }
 

@@ -108,6 +108,38 @@ pub enum ShadowColumn {
     },
 }
 
+/// What a dispatch leaves, in the shadow lane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShadowRun {
+    /// Buffers that the program may write.
+    pub buffers: Vec<ShadowBuffer>,
+    /// Textures that it may write.
+    pub textures: Vec<ShadowTexture>,
+}
+
+/// What a dispatch leaves in a storage texture, in the shadow lane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShadowTexture {
+    /// Bind group.
+    pub group: u32,
+    /// Binding within the group.
+    pub binding: u32,
+    /// Texels that were written, in order.
+    pub texels: Vec<ShadowTexel>,
+    /// Whether it is known which ones these are.
+    pub is_known: bool,
+}
+
+/// A texel that was written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadowTexel {
+    /// The byte where it begins.
+    pub at: usize,
+    /// The least and the largest number that permitted drivers store in each channel, infinite where nothing is
+    /// promised; those of integers mean nothing. `None` if drivers may leave anything.
+    pub ranges: Option<[[f64; 2]; 4]>,
+}
+
 /// What a dispatch leaves in a storage buffer, in the shadow lane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShadowBuffer {
@@ -336,10 +368,10 @@ impl<'m> Interpreter<'m> {
     }
 
     /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;
-    /// the buffers that the program may write come back, word by word.
+    /// the buffers and textures that the program may write come back, word by word and texel by texel.
     ///
-    /// Nothing is promised of what depends on the order of invocations, of texels that are floats, and of what subgroups
-    /// exchange; races are taken to be absent.
+    /// Nothing is promised of what depends on the order of invocations, and of what textures are sampled to; races are
+    /// taken to be absent.
     ///
     /// # Errors
     /// As [`Interpreter::run`], except that a loop that does not end makes all that the program may write unknown.
@@ -348,7 +380,7 @@ impl<'m> Interpreter<'m> {
         entry: usize,
         groups: [u32; 3],
         resources: impl Into<Resources<'a>>,
-    ) -> Result<Vec<ShadowBuffer>, InterpError> {
+    ) -> Result<ShadowRun, InterpError> {
         let mut resources = resources.into();
         self.dispatches(entry, groups, Reader::Judge, |d| {
             d.shadow(shadow::Promises::of(self.accuracy), &mut resources)

@@ -10,6 +10,7 @@
 
 use super::formula;
 use super::program::Scalar;
+use crate::texture::{Format, Known};
 use naga::SubgroupOperation;
 
 /// Which of two operands' values and exact values a join takes: `true` for the first one.
@@ -52,6 +53,16 @@ macro_rules! operations {
 
             /// A float that is `value` in f32 and `exact` in truth.
             fn float(&self, value: f32, exact: f64) -> Self::F;
+            /// A float that is `value` in f32, and of which `known` tells what drivers may have.
+            fn ranged(&self, value: f32, known: Known) -> Self::F;
+            /// What drivers may have of a float.
+            fn range(&self, a: Self::F) -> Known {
+                Known::point(self.exact(a))
+            }
+            /// The texel of these numbers, as their bits.
+            fn texel(&self, format: Format, numbers: [u64; 4]) -> u128 {
+                format.encode(numbers)
+            }
             /// A float of another width.
             fn converted(&self, a: Self::F, from: Scalar) -> Self::F;
             /// The same float, of which nothing is promised.

@@ -3,6 +3,7 @@
 use super::judge::integer;
 use super::model::{Model, Pick};
 use super::program::Scalar;
+use crate::texture::Known;
 use lobe_codegen::math::scalar;
 
 /// One number a lane.
@@ -42,6 +43,9 @@ impl Model for Strict {
     }
 
     fn float(&self, value: f32, _: f64) -> f32 {
+        value
+    }
+    fn ranged(&self, value: f32, _: Known) -> f32 {
         value
     }
     fn converted(&self, a: f32, _: Scalar) -> f32 {

@@ -65,17 +65,17 @@ impl Format {
 }
 
 impl Code {
-    fn mask(self) -> u64 {
+    pub(super) fn mask(self) -> u64 {
         u64::MAX >> (64 - self.bits)
     }
 
     /// The largest code of a unorm, or of a snorm.
-    fn scale(self) -> f64 {
+    pub(super) fn scale(self) -> f64 {
         let sign = u32::from(self.coding == Coding::Snorm);
         (self.mask() >> sign) as f64
     }
 
-    fn decode(self, bits: u64) -> u64 {
+    pub(super) fn decode(self, bits: u64) -> u64 {
         let signed = ((bits << (64 - self.bits)) as i64) >> (64 - self.bits);
         let number = match self.coding {
             Coding::Uint => return bits,
@@ -94,7 +94,7 @@ impl Code {
         number.to_bits().into()
     }
 
-    fn encode(self, bits: u64) -> u64 {
+    pub(super) fn encode(self, bits: u64) -> u64 {
         let number = f32::from_bits(bits as u32);
         // NaN becomes 0.
         let code = |number: f64| (number * self.scale()).round_ties_even() as i64 as u64;

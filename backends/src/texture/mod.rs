@@ -7,10 +7,12 @@ mod code;
 mod format;
 mod sampler;
 mod shape;
+mod stored;
 
 pub use format::{Format, Kind};
 pub use sampler::{Address, Compare, Filter, Sampler};
 pub use shape::{Dimension, TextureShape};
+pub(crate) use stored::Known;
 
 /// Why there is no such texture or sampler.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

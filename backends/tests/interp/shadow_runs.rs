@@ -11,7 +11,7 @@ const DRIVERS: u64 = 12;
 fn shadow(text: &str, groups: u32, buffers: &[Buffer]) -> Vec<Vec<ShadowWord>> {
     let module = foreign(text);
     let interpreter = Interpreter::new(&module).unwrap();
-    let shadow = interpreter.shadow_run(0, [groups, 1, 1], &mut buffers.to_vec()).unwrap();
+    let shadow = interpreter.shadow_run(0, [groups, 1, 1], &mut buffers.to_vec()).unwrap().buffers;
     for driver in 0..=DRIVERS {
         let mut left = buffers.to_vec();
         match driver {
@@ -148,7 +148,7 @@ fn an_endless_loop_makes_what_may_be_written_unknown() {
     let module = foreign(&entry("if i == 0u { loop { if a[0] > 1.0 { break; } } b[0] = 1.0; }"));
     let mut buffers = [buffer(0, &[0; 8]), buffer(1, &[0; 8]), buffer(2, &[0; 8])];
     let interpreter = Interpreter::new(&module).unwrap().with_fuel(1000);
-    let left = interpreter.shadow_run(0, [1, 1, 1], &mut buffers).unwrap();
+    let left = interpreter.shadow_run(0, [1, 1, 1], &mut buffers).unwrap().buffers;
     assert!(matches!(left[0].words[5], ShadowWord::Word { known: false, .. }));
 }
 

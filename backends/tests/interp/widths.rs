@@ -195,7 +195,8 @@ fn what_no_format_holds_and_nothing_promises_has_no_bound() {
 fn left(text: &str, buffers: &[Buffer]) -> Vec<ShadowFloat> {
     let module = foreign(text);
     let interpreter = Interpreter::new(&module).unwrap();
-    let [shadow] = interpreter.shadow_run(0, [2, 1, 1], &mut buffers.to_vec()).unwrap().try_into().unwrap();
+    let [shadow] =
+        interpreter.shadow_run(0, [2, 1, 1], &mut buffers.to_vec()).unwrap().buffers.try_into().unwrap();
     for driver in 0..12 {
         let mut left = buffers.to_vec();
         match driver {

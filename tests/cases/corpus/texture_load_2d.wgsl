@@ -1,5 +1,5 @@
 // Covers: textureLoad of sampled 2D textures of floats and integers, levels, texels out of bounds.
-// lobe: --workgroups 1,1,1 --within colors=0.0000001
+// lobe: --workgroups 1,1,1
 // lobe: --texture color=rgba8unorm:8x8x1:1:3 --texture counts=rgba16uint:8x8x1 --texture signs=rg8sint:8x8x1
 @group(0) @binding(0) var color: texture_2d<f32>;
 @group(0) @binding(1) var counts: texture_2d<u32>;

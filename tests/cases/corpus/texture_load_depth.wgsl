@@ -1,5 +1,5 @@
 // Covers: textureLoad of depth textures and of their arrays, which are one float.
-// lobe: --texture depth=depth16unorm:8x8x1 --texture pages=depth16unorm:4x4x1:2 --within out=0.0000001
+// lobe: --texture depth=depth16unorm:8x8x1 --texture pages=depth16unorm:4x4x1:2
 // lobe: --texture real=depth32float:8x8x1:1:2 --texture sky=depth32float:4x4x1 --sampler sharp=nearest
 @group(0) @binding(0) var depth: texture_depth_2d;
 @group(0) @binding(1) var pages: texture_depth_2d_array;

@@ -5,7 +5,6 @@
 // lobe: --texture t_r32float=r32float:8x8x1
 // lobe: --texture t_rg32float=rg32float:8x8x1
 // lobe: --texture t_rgba32float=rgba32float:8x8x1
-// lobe: --within t_rgba8unorm=0.004 --within t_rgba8snorm=0.008 --within t_rgba16float=0.002
 @group(0) @binding(0) var t_rgba8unorm: texture_storage_2d<rgba8unorm, write>;
 @group(0) @binding(1) var t_rgba8snorm: texture_storage_2d<rgba8snorm, write>;
 @group(0) @binding(2) var t_rgba16float: texture_storage_2d<rgba16float, write>;

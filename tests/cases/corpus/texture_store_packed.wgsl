@@ -1,6 +1,5 @@
 // Covers: textureStore to the packed formats rgb10a2 and rg11b10.
 // lobe: --texture ten=rgb10a2unorm:8x8x1 --texture whole=rgb10a2uint:8x8x1 --texture eleven=rg11b10ufloat:8x8x1
-// lobe: --within ten=0.001 --within eleven=0.032
 @group(0) @binding(0) var ten: texture_storage_2d<rgb10a2unorm, write>;
 @group(0) @binding(1) var whole: texture_storage_2d<rgb10a2uint, write>;
 @group(0) @binding(2) var eleven: texture_storage_2d<rg11b10ufloat, write>;

@@ -1,9 +1,9 @@
 // Covers: storage formats of 16-bit integers and normalised numbers.
 // lobe: --texture a=rg16uint:8x8x1
 // lobe: --texture b=r16sint:8x8x1
-// lobe: --texture c=r16unorm:8x8x1 --within c=0.00002
-// lobe: --texture d=rg16snorm:8x8x1 --within d=0.00004
-// lobe: --texture e=rgba16unorm:8x8x1 --within e=0.00002
+// lobe: --texture c=r16unorm:8x8x1
+// lobe: --texture d=rg16snorm:8x8x1
+// lobe: --texture e=rgba16unorm:8x8x1
 @group(0) @binding(0) var a: texture_storage_2d<rg16uint, write>;
 @group(0) @binding(1) var b: texture_storage_2d<r16sint, write>;
 @group(0) @binding(2) var c: texture_storage_2d<r16unorm, write>;

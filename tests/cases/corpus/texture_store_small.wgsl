@@ -1,11 +1,11 @@
 // Covers: storage formats of one and two channels of 8 bits, and floats of 16.
-// lobe: --texture a=r8unorm:8x8x1 --within a=0.004
+// lobe: --texture a=r8unorm:8x8x1
 // lobe: --texture b=r8uint:8x8x1
 // lobe: --texture c=r8sint:8x8x1
-// lobe: --texture d=rg8unorm:8x8x1 --within d=0.004
-// lobe: --texture e=rg8snorm:8x8x1 --within e=0.008
-// lobe: --texture f=r16float:8x8x1 --within f=0.0005
-// lobe: --texture g=rg16float:8x8x1 --within g=0.0005
+// lobe: --texture d=rg8unorm:8x8x1
+// lobe: --texture e=rg8snorm:8x8x1
+// lobe: --texture f=r16float:8x8x1
+// lobe: --texture g=rg16float:8x8x1
 @group(0) @binding(0) var a: texture_storage_2d<r8unorm, write>;
 @group(0) @binding(1) var b: texture_storage_2d<r8uint, write>;
 @group(0) @binding(2) var c: texture_storage_2d<r8sint, write>;

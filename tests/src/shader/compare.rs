@@ -16,11 +16,11 @@ pub enum Permit {
         /// Largest distance.
         bound: f64,
     },
-    /// A code in a texel whose numbers are, or are not, so near to the interpreter's.
+    /// A number in a texel that may, or may not, stand there.
     Texel {
-        /// Whether they are.
+        /// Whether it may.
         is_near: bool,
-        /// Largest distance.
+        /// Largest distance of two that may.
         bound: f64,
     },
     /// Nothing is known about it.

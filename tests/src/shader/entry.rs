@@ -265,17 +265,18 @@ fn compare_all(
     let compared = written.map(|(given, theirs)| {
         let ours = reference.ours.bytes(given);
         let stated = within.iter().rev().find(|(name, _)| given.is_called(name)).map(|(_, bound)| *bound);
-        let permit = |at, scalar: naga::Scalar| match (machine::permit(bounds, given, at, scalar), stated) {
-            (Permit::Unknown, Some(bound)) if number::is_float(scalar) => {
-                let exact = number::float(scalar.width, &ours[at..at + usize::from(scalar.width)]);
-                Permit::Around { exact, bound }
-            }
-            (Permit::Unknown, Some(bound)) if given.is_coded => {
-                let is_near = |format| texture::is_near(format, at, [ours, theirs], bound);
-                given.format().map_or(Permit::Unknown, |f| Permit::Texel { is_near: is_near(f), bound })
-            }
-            (permit, _) => permit,
-        };
+        let permit =
+            |at, scalar: naga::Scalar| match (machine::permit(bounds, given, at, scalar, theirs), stated) {
+                (Permit::Unknown, Some(bound)) if number::is_float(scalar) => {
+                    let exact = number::float(scalar.width, &ours[at..at + usize::from(scalar.width)]);
+                    Permit::Around { exact, bound }
+                }
+                (Permit::Unknown, Some(bound)) if given.is_coded => {
+                    let is_near = |format| texture::is_near(format, at, [ours, theirs], bound);
+                    given.format().map_or(Permit::Unknown, |f| Permit::Texel { is_near: is_near(f), bound })
+                }
+                (permit, _) => permit,
+            };
         compare(given, ours, theirs, permit)
     });
     compared.collect()

@@ -5,8 +5,10 @@ use super::given::{Given, Owned};
 use super::number;
 use super::report::Mistake;
 use lobe_backends::interp::{
-    Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowFloat, ShadowWord,
+    Checks, InterpError, Interpreter, Invocation, ShadowBuffer, ShadowFloat, ShadowRun, ShadowTexture,
+    ShadowWord,
 };
+use lobe_backends::texture::{Format, Kind};
 use lobe_codegen::ValidModule;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::validate::lacking;
@@ -134,12 +136,15 @@ pub fn uses_subgroups(module: &ValidModule) -> bool {
 
 /// What permitted drivers may leave.
 #[derive(Debug)]
-pub struct Bounds(Vec<ShadowBuffer>);
+pub struct Bounds(ShadowRun);
 
 impl Bounds {
-    fn permit(&self, given: &Given, at: usize, scalar: Scalar) -> Option<Permit> {
+    fn permit(&self, given: &Given, at: usize, scalar: Scalar, theirs: &[u8]) -> Option<Permit> {
         let place = (given.group, given.binding);
-        let buffer = self.0.iter().find(|b| (b.group, b.binding) == place)?;
+        if let Some(texture) = self.0.textures.iter().find(|t| (t.group, t.binding) == place) {
+            return texel(texture, given.format()?, at, theirs);
+        }
+        let buffer = self.0.buffers.iter().find(|b| (b.group, b.binding) == place)?;
         if scalar.width != 4 {
             return other(buffer, at, scalar);
         }
@@ -154,6 +159,21 @@ impl Bounds {
     }
 }
 
+/// What may stand in the texel around byte `at`, where `theirs` stands, if its format is one of floats.
+fn texel(texture: &ShadowTexture, format: Format, at: usize, theirs: &[u8]) -> Option<Permit> {
+    if matches!(format.kind(), Kind::Sint | Kind::Uint) || !texture.is_known {
+        return None;
+    }
+    let begin = at - at % format.bytes();
+    let Ok(found) = texture.texels.binary_search_by(|texel| texel.at.cmp(&begin)) else {
+        return Some(Permit::Bits);
+    };
+    let ranges = texture.texels[found].ranges?;
+    let bytes = theirs.get(begin..begin + format.bytes())?;
+    let texel = bytes.iter().rev().fold(0, |texel, byte| texel << 8 | u128::from(*byte));
+    Some(Permit::Texel { is_near: format.admits(texel, ranges), bound: format.spread(ranges) })
+}
+
 /// What may stand in the place of a number of 16 or 64 bits, if that is known.
 fn other(buffer: &ShadowBuffer, at: usize, scalar: Scalar) -> Option<Permit> {
     let place = |f: &ShadowFloat| f.at.cmp(&at);
@@ -166,10 +186,10 @@ fn other(buffer: &ShadowBuffer, at: usize, scalar: Scalar) -> Option<Permit> {
     words.iter().all(is_known).then_some(Permit::Bits)
 }
 
-/// What may stand at a place of a resource: integers have one value unless the bounds say otherwise.
+/// What may stand at a place of a resource, where a route left `theirs`: integers have one value unless the bounds say otherwise.
 #[must_use]
-pub fn permit(bounds: Option<&Bounds>, given: &Given, at: usize, scalar: Scalar) -> Permit {
-    let known = bounds.and_then(|b| b.permit(given, at, scalar));
+pub fn permit(bounds: Option<&Bounds>, given: &Given, at: usize, scalar: Scalar, theirs: &[u8]) -> Permit {
+    let known = bounds.and_then(|b| b.permit(given, at, scalar, theirs));
     let plain = if given.is_coded || number::is_float(scalar) { Permit::Unknown } else { Permit::Bits };
     known.unwrap_or(plain)
 }

@@ -8,9 +8,10 @@ use super::super::model::Model;
 use super::super::resources::{Found, Resources};
 use super::super::shadow::{Promises, Shadow};
 use super::super::strict::Strict;
-use super::super::{ShadowBuffer, ShadowFloat, ShadowWord};
+use super::super::{ShadowBuffer, ShadowFloat, ShadowRun, ShadowTexel, ShadowTexture, ShadowWord};
 use super::atomic::Order;
 use super::input::Inputs;
+use super::picture::{Picture, Stored};
 use super::shared::{Cell, Other, Shared};
 use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
@@ -30,6 +31,7 @@ struct Left<M: Model> {
     /// That of the last workgroup.
     model: M,
     memory: Vec<Shared<M>>,
+    images: Vec<Picture>,
 }
 
 impl Dispatch<'_> {
@@ -53,16 +55,16 @@ impl Dispatch<'_> {
         watch::findings(outcome.map(|_| ()), watch)
     }
 
-    /// The words of buffers that the program may write, with their bounds.
+    /// What the program may leave in buffers and textures that it may write.
     pub(in super::super) fn shadow(
         &self,
         promises: Promises,
         resources: &mut Resources<'_>,
-    ) -> Res<Vec<ShadowBuffer>> {
-        let Left { model: m, memory } =
+    ) -> Res<ShadowRun> {
+        let Left { model: m, memory, images } =
             self.everything(resources, |_| Shadow::new(promises), detach, &mut None)?;
         let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
-        let mut left: Vec<_> = written
+        let mut buffers: Vec<_> = written
             .filter_map(|(buffer, shared)| {
                 let (group, binding) = buffer.binding?;
                 let words = (0..shared.cells.len()).map(|at| told(&m, shared.get(&m, at))).collect();
@@ -80,8 +82,10 @@ impl Dispatch<'_> {
                 Some(ShadowBuffer { group, binding, words, floats: others.map(float).collect() })
             })
             .collect();
-        left.sort_by_key(|b| (b.group, b.binding));
-        Ok(left)
+        buffers.sort_by_key(|b| (b.group, b.binding));
+        let written = self.code.program.images.iter().zip(&images).filter(|(i, _)| i.written);
+        let textures = written.map(|(image, picture)| told_texture(image.binding, picture)).collect();
+        Ok(ShadowRun { buffers, textures })
     }
 
     /// Runs all workgroups, each with a model of its own; `after` sees each one's memory once it is done.
@@ -95,7 +99,8 @@ impl Dispatch<'_> {
         let found = Found::of(&self.code.program, resources)?;
         let bytes = |at: &Option<usize>| shared(at.map(|at| &resources.buffers[at].data[..]));
         let mut memory = found.buffers.iter().map(bytes).collect();
-        let mut images = found.images.iter().map(|at| resources.textures[*at].texture.clone()).collect();
+        let images = found.images.iter().map(|at| Picture::new(resources.textures[*at].texture.clone()));
+        let mut images: Vec<Picture> = images.collect();
         let mut order = Order::new(M::SHADOW);
         let mut last = model(0);
         for (index, group) in self.each_group().enumerate() {
@@ -118,10 +123,10 @@ impl Dispatch<'_> {
         for (at, shared) in found.buffers.iter().zip(&memory) {
             at.iter().for_each(|at| write(&last, shared, &mut resources.buffers[*at].data));
         }
-        for (at, image) in found.images.iter().zip(images) {
-            resources.textures[*at].texture = image;
+        for (at, image) in found.images.iter().zip(&images) {
+            resources.textures[*at].texture = image.texture.clone();
         }
-        Ok(Left { model: last, memory })
+        Ok(Left { model: last, memory, images })
     }
 
     fn each_group(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
@@ -175,4 +180,16 @@ fn told(m: &Shadow, cell: Cell<Shadow>) -> ShadowWord {
         Cell::Float(a) => ShadowWord::Float { value: a.value as f32, exact: a.exact, bound: m.bound(a) },
         Cell::Word(a) => ShadowWord::Word { value: a.value as u32, known: a.known },
     }
+}
+
+fn told_texture((group, binding): (u32, u32), picture: &Picture) -> ShadowTexture {
+    let told = |(at, stored): (&usize, &Stored)| {
+        let ranges = match stored {
+            Stored::Numbers(numbers) => Some(numbers.map(|known| [known.low, known.high])),
+            Stored::Anything => None,
+        };
+        ShadowTexel { at: *at, ranges }
+    };
+    let texels = picture.stored.iter().map(told).collect();
+    ShadowTexture { group, binding, texels, is_known: !picture.spoiled }
 }

@@ -283,6 +283,8 @@ impl<M: Model> Machine<'_, M> {
         // Whatever they would have written.
         let written = self.program.buffers.iter().zip(&mut self.shared).filter(|(b, _)| b.written);
         written.for_each(|(_, shared)| shared.spoiled = true);
+        let written = self.program.images.iter().zip(&mut self.images).filter(|(i, _)| i.written);
+        written.for_each(|(_, image)| image.spoiled = true);
         Ok(())
     }
 

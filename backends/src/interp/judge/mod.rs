@@ -44,6 +44,7 @@ mod flow;
 mod input;
 pub(super) mod integer;
 mod memory;
+mod picture;
 mod plan;
 pub(super) mod rows;
 mod shared;
@@ -56,11 +57,12 @@ use super::error::{InterpError, Res};
 use super::mask::Mask;
 use super::model::Model;
 use super::program::{Block, Program, Stmt};
-use crate::texture::{Sampler, Texture};
+use crate::texture::Sampler;
 use atomic::Order;
 use column::{Column, Single};
 use flow::Flow;
 use input::Inputs;
+use picture::Picture;
 use plan::Plan;
 use shared::Shared;
 use std::sync::Arc;
@@ -105,7 +107,7 @@ struct Machine<'c, M: Model> {
     /// Memory that the lanes share.
     shared: Vec<Shared<M>>,
     order: Order,
-    images: Vec<Texture>,
+    images: Vec<Picture>,
     samplers: Vec<Sampler>,
     inputs: Inputs<'c>,
     flow: Flow<M>,

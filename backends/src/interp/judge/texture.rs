@@ -3,53 +3,134 @@
 use super::super::model::Model;
 use super::super::program::texture::{Access, Operands, TextureOp};
 use super::super::program::{Reg, Value};
-use super::super::texture::perform;
+use super::super::texture::{Texels, TexelsMut, perform, texel_at};
 use super::column::{Column, Family, family};
+use super::picture::Stored;
 use super::{Machine, Res, integer};
+use crate::texture::Known;
 
 impl<M: Model> Machine<'_, M> {
     pub(super) fn texture(&mut self, access: &Access) -> Res<()> {
         let lanes: Vec<usize> = self.flow.active.lanes().collect();
         for lane in lanes {
-            let known = self.promised(access, lane)?;
             let operands = self.texture_operands(access, lane)?;
+            if access.op == TextureOp::Store {
+                self.store_texel(access, &operands, lane)?;
+                continue;
+            }
+            let found = self.found(access, &operands, lane)?;
+            self.note_written(access, &operands, lane, Stored::Anything)?;
             let sampler = match access.op {
                 TextureOp::Sample(sampling) => self.samplers.get(sampling.sampler as usize).copied(),
                 _ => None,
             };
             let image = &mut self.images[access.image as usize];
             let result = perform(image, sampler.as_ref(), access.op, &operands);
-            for (to, bits) in access.to.iter().zip(result) {
-                let Some(Reg(at)) = *to else { continue };
-                let mut to = std::mem::take(&mut self.registers[at as usize]);
-                let promised = known && !matches!(to, Column::Float(_));
-                self.flags.tainted[lane] |= !promised;
-                let word = self.model.word(bits);
-                let scalar = self.program.registers[at as usize].scalar;
-                self.set(&mut to, scalar, lane, if promised { word } else { self.model.forget(word) });
-                self.registers[at as usize] = to;
-            }
+            self.texture_results(access, lane, result, found)?;
         }
         Ok(())
     }
 
-    /// Whether every driver finds the same integers: those of a texture that nobody writes, at a place that is known.
-    fn promised(&self, access: &Access, lane: usize) -> Res<bool> {
-        let fixed = match access.op {
-            TextureOp::Size | TextureOp::Levels | TextureOp::Layers | TextureOp::Samples => true,
-            TextureOp::Load => !self.program.images[access.image as usize].written,
-            TextureOp::Store | TextureOp::Atomic(_) | TextureOp::Sample(_) => false,
-        };
-        if !M::SHADOW || !fixed {
-            return Ok(!M::SHADOW);
+    /// Puts what comes out of an operation in its registers; `found` is what drivers may have.
+    fn texture_results(
+        &mut self,
+        access: &Access,
+        lane: usize,
+        result: [u64; 4],
+        found: Option<[Known; 4]>,
+    ) -> Res<()> {
+        for (channel, (to, bits)) in access.to.iter().zip(result).enumerate() {
+            let Some(Reg(at)) = *to else { continue };
+            let scalar = self.program.registers[at as usize].scalar;
+            let mut to = std::mem::take(&mut self.registers[at as usize]);
+            match (&mut to, found) {
+                (Column::Float(to), Some(known)) => {
+                    to[lane] = self.model.ranged(f32::from_bits(bits as u32), known[channel]);
+                }
+                (to, Some(_)) => self.set(to, scalar, lane, self.model.word(bits)),
+                (to, None) => {
+                    self.flags.tainted[lane] = true;
+                    self.set(to, scalar, lane, self.model.forget(self.model.word(bits)));
+                }
+            }
+            self.registers[at as usize] = to;
         }
+        Ok(())
+    }
+
+    /// What drivers may get of an operation, if that is known; integers are then those of the strict path.
+    fn found(&self, access: &Access, operands: &Operands<u64>, lane: usize) -> Res<Option<[Known; 4]>> {
+        let image = &self.images[access.image as usize];
+        let is_known = !M::SHADOW || self.is_place_known(access, lane)?;
+        Ok(match access.op {
+            TextureOp::Load if is_known => image.found(texel_at(image.shape(), operands)),
+            TextureOp::Size | TextureOp::Levels | TextureOp::Layers | TextureOp::Samples if is_known => {
+                Some([Known::point(0.0); 4])
+            }
+            TextureOp::Atomic(_) if !M::SHADOW => Some([Known::point(0.0); 4]),
+            _ => None,
+        })
+    }
+
+    /// Whether all drivers look at the same place.
+    fn is_place_known(&self, access: &Access, lane: usize) -> Res<bool> {
+        let place = Operands { values: [None; 4], reference: None, ..access.operands };
         let mut known = Ok(true);
-        access.operands.map(|value| match self.word(value, lane) {
+        place.map(|value| match self.word(value, lane) {
             Ok(word) if self.model.known(word) => {}
             Ok(_) => known = known.clone().map(|_| false),
             Err(error) => known = Err(error),
         });
         known
+    }
+
+    /// Stores a texel.
+    fn store_texel(&mut self, access: &Access, operands: &Operands<u64>, lane: usize) -> Res<()> {
+        let stored = self.stored(access, lane)?;
+        self.note_written(access, operands, lane, stored)?;
+        let image = &mut self.images[access.image as usize];
+        let is_taken = !self.flow.unsure(lane) || self.flow.pick(lane).value;
+        if let (true, Some(at)) = (is_taken, texel_at(image.shape(), operands)) {
+            let numbers = operands.values.map(Option::unwrap_or_default);
+            image.set_texel(at, self.model.texel(image.shape().format, numbers));
+        }
+        Ok(())
+    }
+
+    /// What is known of what is stored.
+    fn stored(&self, access: &Access, lane: usize) -> Res<Stored> {
+        let mut numbers = [Known::point(0.0); 4];
+        for (number, value) in numbers.iter_mut().zip(access.operands.values) {
+            let Some(value) = value else { continue };
+            match family::<M>(self.program.scalar(value)) {
+                Family::Float => *number = self.model.range(self.floats(value)?.at(lane)),
+                Family::Word | Family::Bool if self.model.known(self.word(value, lane)?) => {}
+                Family::Word | Family::Bool => return Ok(Stored::Anything),
+            }
+        }
+        Ok(Stored::Numbers(numbers))
+    }
+
+    /// Notes what a store or an atomic leaves in a texel.
+    fn note_written(
+        &mut self,
+        access: &Access,
+        operands: &Operands<u64>,
+        lane: usize,
+        stored: Stored,
+    ) -> Res<()> {
+        if !M::SHADOW || !access.op.writes() {
+            return Ok(());
+        }
+        let is_known = self.is_place_known(access, lane)?;
+        let is_unsure = self.flow.unsure(lane);
+        let image = &mut self.images[access.image as usize];
+        image.spoiled |= !is_known;
+        if let Some(at) = texel_at(image.shape(), operands) {
+            let stored = if is_unsure { image.perhaps(at, stored) } else { stored };
+            image.stored.insert(at, stored);
+        }
+        Ok(())
     }
 
     /// The bits of all operands in a lane.

@@ -7,6 +7,7 @@ use crate::interp::model::{Model, Pick};
 use crate::interp::program::Scalar;
 use crate::interp::program::op::FloatOp;
 use crate::interp::scalar::convert;
+use crate::texture::{Format, Known};
 use lobe_codegen::accuracy::{Accuracy, LERP, Operation};
 use lobe_codegen::intrinsics::Intrinsic;
 use naga::BinaryOperator;
@@ -29,6 +30,16 @@ impl<P: Precision> Model for Perturbed<P> {
 
     fn float(&self, value: f32, _: f64) -> Number {
         plain(value.into())
+    }
+    fn ranged(&self, value: f32, known: Known) -> Number {
+        let middle = f64::midpoint(known.low, known.high);
+        let drawn = P::nearest(middle + self.share() * (known.high - middle));
+        let fits = (known.low..=known.high).contains(&drawn);
+        plain(self.flush(if fits { drawn } else { value.into() }))
+    }
+    /// Integers are one code each.
+    fn texel(&self, format: Format, numbers: [u64; 4]) -> u128 {
+        format.encode_either(numbers, || self.coin())
     }
     fn converted(&self, a: Number, from: Scalar) -> Number {
         let x = match from {

@@ -10,6 +10,7 @@ use crate::interp::precision::{Double, Half, Precision, Single};
 use crate::interp::program::Scalar;
 use crate::interp::program::op::FloatOp;
 use crate::interp::scalar::convert;
+use crate::texture::Known;
 use naga::SubgroupOperation;
 
 /// Operations that put their results on the tape themselves, or whose results are sources there.
@@ -64,6 +65,14 @@ impl<P: Precision> Model for Shadow<P> {
 
     fn float(&self, value: f32, exact: f64) -> Float {
         self.number(value.into(), exact)
+    }
+    fn ranged(&self, value: f32, known: Known) -> Float {
+        let x = f64::from(value);
+        self.source(Float::closed::<P>(x, known.exact, known.low.min(x), known.high.max(x)))
+    }
+    fn range(&self, a: Float) -> Known {
+        let Float { exact, low, high, .. } = self.tightened(a);
+        Known { exact, low, high }
     }
     fn converted(&self, a: Float, from: Scalar) -> Float {
         let value = P::held(a.value);

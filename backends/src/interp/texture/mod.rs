@@ -22,7 +22,7 @@ mod sample;
 
 use load::{At, inside, load, store};
 use lod::Lod;
-pub(crate) use perform::{astray, perform};
+pub(crate) use perform::{astray, perform, texel_at};
 use sample::{Sample, sample};
 
 use crate::texture::TextureShape;

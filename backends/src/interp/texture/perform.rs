@@ -53,6 +53,11 @@ pub(crate) fn perform(
     }
 }
 
+/// The first byte of the texel that a load, a store or an atomic names, if there is one.
+pub(crate) fn texel_at(shape: TextureShape, operands: &Operands<u64>) -> Option<usize> {
+    inside(shape, place(operands))
+}
+
 /// Where `op` looks for a texel, or whose level it asks about, if there is nothing there.
 pub(crate) fn astray(shape: TextureShape, op: TextureOp, operands: &Operands<u64>) -> Option<At> {
     let at = place(operands);

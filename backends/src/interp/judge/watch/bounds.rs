@@ -33,7 +33,7 @@ impl Watch {
 
     /// The place of a texel in each lane.
     pub(super) fn texels<M: Model>(&mut self, m: &Machine<'_, M>, access: &Access) -> Res<()> {
-        let shape = m.images[access.image as usize].shape();
+        let shape = m.images[access.image as usize].texture.shape();
         for lane in m.flow.active.lanes() {
             if let Some(at) = astray(shape, access.op, &m.texture_operands(access, lane)?) {
                 let message = || format!("{at} of {shape}");
