@@ -43,6 +43,7 @@
 
 mod boolean;
 mod collect;
+mod convert;
 mod elementary;
 mod interval;
 mod model;

@@ -4,12 +4,10 @@ use super::slope::{only, rounded, rounded_product, rounded_sum};
 use super::tape::Slope;
 use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope};
 use crate::interp::formula;
-use crate::interp::judge::integer;
 use crate::interp::model::{Model, Pick};
-use crate::interp::precision::{Double, Half, Precision, Single};
+use crate::interp::precision::{Double, Half, Precision};
 use crate::interp::program::Scalar;
 use crate::interp::program::op::FloatOp;
-use crate::interp::scalar::convert;
 use crate::texture::Known;
 use naga::SubgroupOperation;
 
@@ -31,20 +29,6 @@ macro_rules! forward {
 /// What a formula gives, with the strict value of the operation that stands for it.
 fn formed<P: Precision>(op: FloatOp, args: [Float; 3], formula: Float) -> Float {
     Float { value: P::strict(op, args.map(|a| a.value)), ..formula }
-}
-
-/// The smallest normal number of a format.
-fn least(scalar: Scalar) -> f64 {
-    match scalar {
-        Scalar::F16 => Half::MIN_NORMAL,
-        Scalar::F64 => Double::MIN_NORMAL,
-        _ => Single::MIN_NORMAL,
-    }
-}
-
-/// An f64 that is not above an integer and one that is not below it; `near` is the nearest.
-fn around(whole: i128, near: f64) -> (f64, f64) {
-    if near as i128 == whole { (near, near) } else { (near.next_down(), near.next_up()) }
 }
 
 impl<P: Precision> Model for Shadow<P> {
@@ -75,18 +59,7 @@ impl<P: Precision> Model for Shadow<P> {
         Known { exact, low, high }
     }
     fn converted(&self, a: Float, from: Scalar) -> Float {
-        let value = P::held(a.value);
-        if !a.bounded() {
-            return Float::unbounded(value, a.exact);
-        }
-        // A number that is subnormal there may be flushed on its way.
-        let flushed = if a.is_below(least(from)) { least(from) } else { 0.0 };
-        if from.bytes() < P::SCALAR.bytes() {
-            let wider = Float::closed::<P>(value, a.exact, a.low, a.high);
-            return self.link(wider, flushed, only(a, Slope::ONE));
-        }
-        let narrower = Float::closed::<P>(value, a.exact, P::down(a.low), P::up(a.high));
-        self.link(narrower, rounded::<P>(narrower, [a, a]) + flushed, only(a, Slope::ONE))
+        self.reformatted(a, from)
     }
     fn unpromised(&self, a: Float) -> Float {
         Float::unbounded(a.value, a.exact)
@@ -202,19 +175,10 @@ impl<P: Precision> Model for Shadow<P> {
     }
 
     fn to_word(&self, a: Float, to: Scalar) -> Word {
-        let number = |x: f64| convert::truncated(x, P::DIGITS, to);
-        let known = a.bounded() && number(a.low) == number(a.high);
-        Word { value: number(a.value), exact: number(a.exact), known }
+        self.truncated(a, to)
     }
     fn to_float(&self, a: Word, from: Scalar) -> Float {
-        let whole = integer::number(a.exact, from);
-        let (value, exact) = (P::of_integer(integer::number(a.value, from)), whole as f64);
-        if a.known {
-            let (low, high) = around(whole, exact);
-            self.source(Float::closed::<P>(value, exact, P::down(low), P::up(high)))
-        } else {
-            Float::unbounded(value, exact)
-        }
+        self.of_integer(a, from)
     }
     fn bits(&self, a: Float) -> Word {
         // Zero has two signs, and a driver may have either.
