@@ -27,6 +27,8 @@ mod shadow;
 mod shadow_runs;
 #[path = "interp/soundness.rs"]
 mod soundness;
+#[path = "interp/sums.rs"]
+mod sums;
 #[path = "interp/texels.rs"]
 mod texels;
 #[path = "interp/textures.rs"]

@@ -39,12 +39,6 @@ const KNOWN: &[(&str, &str, &str)] = &[
     ),
     ("op_mix_vector", "@swiftshader", "as op_mix"),
     (
-        "op_matrix_product",
-        "@lavapipe",
-        "it adds in another order: (p - a) + q for the written (p + q) - a, bit for bit; WGSL allows that only \
-         where it is at least as accurate",
-    ),
-    (
         "op_asinh",
         "routes @lavapipe",
         "HLSL has no asinh: the emitted text has its formula, the driver another one",

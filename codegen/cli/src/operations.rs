@@ -59,7 +59,7 @@ fn worst(classes: &[Accuracy]) -> String {
 }
 
 /// What a rule is about, what it says, and where that is said.
-fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 4] {
+fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 5] {
     let subnormal = match model.rules.subnormal.0 {
         Subnormal::MayFlush => "may be flushed to zero",
         Subnormal::Flushed => "are flushed to zero",
@@ -68,12 +68,13 @@ fn rules(model: &Model) -> [(&'static str, &'static str, &'static str); 4] {
         Rounding::Either => "either neighbour",
         Rounding::Nearest => "the nearest",
     };
-    let contraction = if model.rules.contraction.0 { "permitted" } else { "not permitted" };
+    let permitted = |is_so| if is_so { "permitted" } else { "not permitted" };
     let double = if model.rules.double.0 { "as f32, with its ULP" } else { "no promise" };
     [
         ("subnormal", subnormal, model.rules.subnormal.1),
         ("rounding", rounding, model.rules.rounding.1),
-        ("contraction", contraction, model.rules.contraction.1),
+        ("contraction", permitted(model.rules.contraction.0), model.rules.contraction.1),
+        ("reassociation", permitted(model.rules.reassociation.0), model.rules.reassociation.1),
         ("f64", double, model.rules.double.1),
     ]
 }

@@ -18,6 +18,7 @@ const RULES: Rules = Rules {
     subnormal: (Subnormal::Flushed, "D3D11.3 3.1.3.2, Deviations or Additional Requirements vs. IEEE-754"),
     rounding: (Rounding::Nearest, "D3D11.3 3.1.3.1, Honored IEEE-754 Rules: within 0.5 ULP"),
     contraction: (true, "D3D11.3 3.1.3.2: fused operations; 22.19.2, unless declared precise"),
+    reassociation: (true, "D3D11.3 22.19.2, Precise: unless declared so"),
     double: (false, "D3D11.3 3.1.3 is of 32 bits"),
 };
 

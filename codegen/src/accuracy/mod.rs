@@ -85,6 +85,8 @@ pub struct Rules {
     pub rounding: (Rounding, &'static str),
     /// Whether a product may go into a sum without having been rounded, likewise.
     pub contraction: (bool, &'static str),
+    /// Whether the terms of a sum may be added in another order, likewise.
+    pub reassociation: (bool, &'static str),
     /// Whether operations on `f64` keep the classes of `f32`, with its ULP, likewise; else nothing is known of them.
     pub double: (bool, &'static str),
 }

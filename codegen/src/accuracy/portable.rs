@@ -56,6 +56,7 @@ fn rules(models: &[&Model]) -> Rules {
         subnormal: first(|rules| rules.subnormal.0 == Subnormal::MayFlush).subnormal,
         rounding: first(|rules| rules.rounding.0 == Rounding::Either).rounding,
         contraction: first(|rules| rules.contraction.0).contraction,
+        reassociation: first(|rules| rules.reassociation.0).reassociation,
         // Where a language has no doubles, nothing speaks against what another says of them.
         double: first(|rules| rules.double.0).double,
     }

@@ -19,6 +19,7 @@ const RULES: Rules = Rules {
     subnormal: (Subnormal::MayFlush, "WGSL 15.7.2, Differences from IEEE-754"),
     rounding: (Rounding::Either, "WGSL 15.7.4, Floating Point Accuracy: correctly rounded"),
     contraction: (true, "WGSL 15.7.5, Reassociation and Fusion"),
+    reassociation: (true, "WGSL 15.7.5, Reassociation and Fusion"),
     double: (false, "WGSL 15.7.1 has no f64"),
 };
 

@@ -24,7 +24,7 @@ use lobe_codegen::prelude::*;
     family = "brdf",
     cite = "[Walter07] eq. 33",
     domain(normal = unit, half_vector = unit, alpha = 1e-3..=1.0),
-    budget((3e-6 + 1e-6 * max(-dot(normal, half_vector), 0.0) / alpha) * result + 1e-12 / (alpha * alpha) * max(-dot(normal, half_vector), 0.0)),
+    budget((4e-6 + 1e-6 * max(-dot(normal, half_vector), 0.0) / alpha) * result + 1e-12 / (alpha * alpha) * max(-dot(normal, half_vector), 0.0)),
     measured
 )]
 pub fn ggx_ndf(normal: Vec3, half_vector: Vec3, alpha: f32) -> f32 {

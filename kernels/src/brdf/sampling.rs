@@ -173,9 +173,11 @@ pub fn cosine_hemisphere_pdf(n_dot_l: f32) -> f32 {
     measured
 )]
 pub fn ggx_sample_half_vector(alpha: f32, u: Vec2) -> Vec3 {
-    let squared = alpha * alpha * u.y + (1.0 - u.y);
+    // A maximum, so that no compiler takes the 1 to the other side of the sum, where it would drown the rest.
+    let rest = max(1.0 - u.y, 0.0);
+    let squared = alpha * alpha * u.y + rest;
     let circle = alpha * sqrt(u.y) * circle_of_turn(u.x);
-    inverse_sqrt(max(squared, 1e-8)) * Vec3::new(circle.x, circle.y, sqrt(1.0 - u.y))
+    inverse_sqrt(max(squared, 1e-8)) * Vec3::new(circle.x, circle.y, sqrt(rest))
 }
 
 /// Density of a direction that mirrors a view about a half vector of [`ggx_sample_half_vector`].

@@ -152,7 +152,7 @@ pub fn moments_merge(a: Moments, b: Moments) -> Moments {
     family = "filter",
     cite = "[Tokuyoshi15] section 3.2",
     budget(
-        weight = 3e-7 * result.weight + 1e-37,
+        weight = 4e-7 * result.weight + 1e-37,
         mean = 1.5e-6 * (a.weight * length(a.mean) + b.weight * length(b.mean) + c.weight * length(c.mean) + d.weight * length(d.mean))
             / max(a.weight + b.weight + c.weight + d.weight, 1e-20)
             + 1e-16 * (length(a.mean) + length(b.mean) + length(c.mean) + length(d.mean)) + 1e-37,

@@ -61,7 +61,7 @@ pub struct Reflection {
     budget(
         axis = 1.5e-6,
         slant = 2e-6,
-        cos_sigma = 3e-7,
+        cos_sigma = 4e-7,
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-6 * result.radiance + 1e-7 * (reflectance * light.irradiance) / (alpha * alpha) + 1e-27
     ),
@@ -86,7 +86,7 @@ pub fn rect_reflection(normal: Vec3, alpha: f32, reflectance: f32, light: Distan
     budget(
         axis = 1.5e-6,
         slant = 2e-6,
-        cos_sigma = 3e-7,
+        cos_sigma = 4e-7,
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-6 * result.radiance + 3e-7 * (reflectance * light.irradiance) + 1e-30
     ),
@@ -118,7 +118,7 @@ pub fn rect_reflection_paper(normal: Vec3, alpha: f32, reflectance: f32, light: 
     budget(
         axis = 1.5e-6,
         slant = 2e-6,
-        cos_sigma = 3e-7,
+        cos_sigma = 4e-7,
         attenuation = 1e-6 * abs(result.attenuation) + 1e-6 + 1e-7 / (alpha * alpha),
         radiance = 1e-37
     ),

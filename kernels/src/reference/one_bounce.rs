@@ -137,7 +137,7 @@ pub fn one_bounce_ndf_transfer(bounce: OneBounce, dir: Vec3) -> f32 {
 /// | `dir` | unit direction `w` from the point | sphere | 1 |
 ///
 /// Returns the product, in 0 ..= 1.
-#[kernel(family = "reference", cite = "[RectGlossy] eq. 3", domain(dir = unit), budget(1e-6), measured)]
+#[kernel(family = "reference", cite = "[RectGlossy] eq. 3", domain(dir = unit), budget(1.2e-6), measured)]
 pub fn one_bounce_cosines(bounce: OneBounce, dir: Vec3) -> f32 {
     let towards_light = max(dot(bounce.rectangle.normal, bounce.light), 0.0);
     let towards_point = max(-dot(bounce.rectangle.normal, dir), 0.0);

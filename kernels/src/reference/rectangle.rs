@@ -49,8 +49,10 @@ pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {
     cite = "[Pharr23] section 6.6",
     domain(origin = -100.0..=100.0, dir = unit),
     budget(
-        x = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_x + 1e-30,
-        y = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_y + 1e-30,
+        x = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_x
+            + 5e-7 * (length(origin) + length(rectangle.position)) / rectangle.half_x + 1e-30,
+        y = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) * (2.0 + 1.0 / max(-dot(dir, rectangle.normal), 1e-4)) / rectangle.half_y
+            + 5e-7 * (length(origin) + length(rectangle.position)) / rectangle.half_y + 1e-30,
         z = 1e-6 * (length(origin - rectangle.position) + abs(result.z)) / max(-dot(dir, rectangle.normal), 1e-4) + 1e-30
     ),
     measured

@@ -22,15 +22,18 @@ pub(super) struct Perturbed<P = Single> {
     format: PhantomData<P>,
 }
 
-/// A number and, when it is a product, that product before it was rounded.
+/// A number, and what it is to a sum that takes it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Number {
     value: f64,
+    /// A product before it was rounded.
     product: Option<f64>,
+    /// The two terms of a sum.
+    terms: Option<[f64; 2]>,
 }
 
 fn plain(value: f64) -> Number {
-    Number { value, product: None }
+    Number { value, product: None, terms: None }
 }
 
 impl Perturbed {
@@ -161,6 +164,29 @@ impl<P: Precision> Perturbed<P> {
             Some(product) if self.coin() => product,
             Some(_) | None => self.operand(a),
         }
+    }
+
+    /// `a + b`, perhaps with the terms of one of them in another order.
+    fn sum(&self, a: Number, b: Number) -> Number {
+        let reorders = self.accuracy.rules.reassociation.0 && self.coin();
+        match (a.terms, b.terms) {
+            (Some(terms), _) if reorders => self.reordered(terms, b),
+            (_, Some(terms)) if reorders => self.reordered(terms, a),
+            _ => self.added(a, b),
+        }
+    }
+
+    /// `(p + q) + b` as `p + (q + b)`, or with the roles of `p` and `q` changed.
+    fn reordered(&self, [p, q]: [f64; 2], b: Number) -> Number {
+        let (first, second) = if self.coin() { (p, q) } else { (q, p) };
+        self.added(plain(first), self.added(plain(second), b))
+    }
+
+    fn added(&self, a: Number, b: Number) -> Number {
+        // A fused operation takes one product whole, not two.
+        let (x, y) =
+            if self.coin() { (self.summand(a), self.operand(b)) } else { (self.operand(a), self.summand(b)) };
+        Number { terms: Some([a.value, b.value]), ..plain(self.rounded(x + y)) }
     }
 
     fn exactly(&self, a: Number, f: fn(f64) -> f64) -> Number {

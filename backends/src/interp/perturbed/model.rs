@@ -153,21 +153,18 @@ impl<P: Precision> Model for Perturbed<P> {
     }
 
     fn add(&self, a: Number, b: Number) -> Number {
-        // A fused operation takes one product whole, not two.
-        let (x, y) =
-            if self.coin() { (self.summand(a), self.operand(b)) } else { (self.operand(a), self.summand(b)) };
-        plain(self.rounded(x + y))
+        self.sum(a, b)
     }
     fn sub(&self, a: Number, b: Number) -> Number {
         self.add(a, self.neg(b))
     }
     fn mul(&self, a: Number, b: Number) -> Number {
         let product = self.operand(a) * self.operand(b);
-        Number { value: self.rounded(product), product: Some(product) }
+        Number { product: Some(product), ..plain(self.rounded(product)) }
     }
     fn square(&self, a: Number) -> Number {
         let x = self.operand(a);
-        Number { value: self.rounded(x * x), product: Some(x * x) }
+        Number { product: Some(x * x), ..plain(self.rounded(x * x)) }
     }
     fn div(&self, a: Number, b: Number) -> Number {
         let divide = self.classes(Operation::Infix(BinaryOperator::Divide));
@@ -178,7 +175,11 @@ impl<P: Precision> Model for Perturbed<P> {
         self.sub(a, self.mul(b, self.trunc(self.div(a, b))))
     }
     fn neg(&self, a: Number) -> Number {
-        Number { value: -a.value, product: a.product.map(|p| -p) }
+        Number {
+            value: -a.value,
+            product: a.product.map(|p| -p),
+            terms: a.terms.map(|terms| terms.map(|t| -t)),
+        }
     }
     fn abs(&self, a: Number) -> Number {
         self.exactly(a, f64::abs)

@@ -4,7 +4,7 @@ use super::promise::{is_number, own, widen};
 use super::round::{above, below, ulp};
 use super::slope::{self, only};
 use super::tape::Slope;
-use super::{Float, Shadow};
+use super::{Float, Shadow, sum};
 use crate::interp::formula;
 use crate::interp::precision::Precision;
 use crate::interp::program::op::FloatOp as O;
@@ -202,7 +202,8 @@ impl<P: Precision> Shadow<P> {
         if !(a.bounded() && b.bounded()) {
             return Float::unbounded(a.value, a.exact);
         }
-        self.source(Float::closed::<P>(a.value, a.exact, a.low.min(b.low), a.high.max(b.high)))
+        let hull = Float::closed::<P>(a.value, a.exact, a.low.min(b.low), a.high.max(b.high));
+        self.part(Float { terms: sum::either(a, b), ..hull })
     }
 
     /// The same where the model promises the function `intrinsic` at all.

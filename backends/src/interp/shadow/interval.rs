@@ -36,7 +36,14 @@ pub(super) fn add<P: Precision>(a: Float, b: Float) -> Float {
 }
 
 pub(super) fn neg(a: Float) -> Float {
-    Float { value: -a.value, exact: -a.exact, low: -a.high, high: -a.low, place: Place::NONE }
+    Float {
+        value: -a.value,
+        exact: -a.exact,
+        low: -a.high,
+        high: -a.low,
+        place: Place::NONE,
+        terms: a.terms.negated(),
+    }
 }
 
 pub(super) fn sub<P: Precision>(a: Float, b: Float) -> Float {

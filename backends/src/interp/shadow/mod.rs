@@ -27,6 +27,8 @@
 //! - A result that is correctly rounded lies between the floats that enclose it, so what is representable is
 //!   exact: counters and powers of two carry no error.
 //! - Flushing: whenever an interval holds subnormal numbers it is extended to zero.
+//! - The terms of a sum may be added in any order ([`sum`]), whether the shader names partial sums or not. Products of more
+//!   than two factors are taken in the order in which they stand: another errs by as much, unless it leaves the range.
 //! - A number that is used twice is one number, so `x * x` is not negative, and `x - x` is zero; but a product may be
 //!   fused into one sum and rounded in another, and a subnormal number flushed in one place and kept in another.
 //! - Errors in ULP do not change the sign of a result, and an ULP of zero is zero.
@@ -51,6 +53,7 @@ mod pieces;
 mod promise;
 mod round;
 mod slope;
+mod sum;
 mod tape;
 
 use promise::Promise;
@@ -60,7 +63,8 @@ use super::precision::{Precision, Single};
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::rc::Rc;
-use tape::{Place, Slope, Tape};
+use sum::{Sum, Terms};
+use tape::{Kind, Place, Slope, Tape};
 
 /// The model for floats of a format: what it remembers of a batch, and what drivers promise.
 #[derive(Debug)]
@@ -104,6 +108,7 @@ pub(super) struct Float {
     pub(super) low: f64,
     pub(super) high: f64,
     place: Place,
+    terms: Terms,
 }
 
 /// An integer.
@@ -131,7 +136,14 @@ pub(super) struct Truth {
 impl Float {
     /// A number of which nothing is promised.
     pub(super) fn unbounded(value: f64, exact: f64) -> Self {
-        Self { value, exact, low: f64::NEG_INFINITY, high: f64::INFINITY, place: Place::NONE }
+        Self {
+            value,
+            exact,
+            low: f64::NEG_INFINITY,
+            high: f64::INFINITY,
+            place: Place::NONE,
+            terms: Terms::ONE,
+        }
     }
 
     /// Closes the interval under flushing and gives up what may overflow.
@@ -146,7 +158,14 @@ impl Float {
         }
         // Written so that NaN anywhere gives up, too.
         if low >= -P::MAX && high <= P::MAX && exact.abs() <= P::MAX {
-            Self { value, exact, low: low.min(exact), high: high.max(exact), place: Place::NONE }
+            Self {
+                value,
+                exact,
+                low: low.min(exact),
+                high: high.max(exact),
+                place: Place::NONE,
+                terms: Terms::ONE,
+            }
         } else {
             Self::unbounded(value, exact)
         }
@@ -206,10 +225,14 @@ impl<P: Precision> Shadow<P> {
 
     /// Puts `result` of an operation on the tape, with its own error and what it owes to its operands.
     fn link(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
+        self.link_as(Kind::Whole, result, own, operands)
+    }
+
+    fn link_as(&self, kind: Kind, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
         if !self.promise.holds {
             return Float::unbounded(result.value, result.exact);
         }
-        let number = self.tape.borrow_mut().record::<P>(result, own, operands);
+        let number = self.tape.borrow_mut().record::<P>(result, own, operands, kind);
         // Of one operand the interval knows as much as the tape.
         let meet = operands.iter().all(|(operand, slope)| operand.is_placed() && !slope.is_zero());
         if meet && number.is_wide() { self.tightened(number) } else { number }
@@ -217,15 +240,23 @@ impl<P: Precision> Shadow<P> {
 
     /// The same for a product.
     fn link_product(&self, result: Float, own: f64, operands: [slope::Link; 2]) -> Float {
-        let product = self.link(result, own, operands);
-        self.tape.borrow_mut().mark_product(product);
-        product
+        self.link_as(Kind::Part, result, own, operands)
     }
 
-    /// The operands of a sum, or of a difference.
-    fn summands(&self, a: Float, b: Float, sign: Slope) -> [slope::Link; 2] {
+    /// `plain` is the sum of `a` and `b` taken as it stands, or their difference if `sign` is -1.
+    fn sum(&self, plain: Float, a: Float, b: Float, sign: Slope) -> Float {
+        let ([(a, part_a), (b, part_b)], reorders) = (self.summands(a, b), self.promise.reassociation);
+        let signed = if sign == Slope::ONE { b } else { interval::neg(b) };
+        let sum = Sum::of::<P>([(a, part_a), (signed, part_b)], plain, reorders);
+        let kind = if reorders { Kind::Part } else { Kind::Whole };
+        let linked = self.link_as(kind, sum.result, sum.rounding, [(a, Slope::ONE), (b, sign)]);
+        Float { terms: sum.terms, ..linked }
+    }
+
+    /// The operands of a sum as it takes them, each with its own rounding.
+    fn summands(&self, a: Float, b: Float) -> [(Float, f64); 2] {
         let mut tape = self.tape.borrow_mut();
-        [(tape.summand(a), Slope::ONE), (tape.summand(b), sign)]
+        [tape.summand(a), tape.summand(b)]
     }
 
     /// Puts a number on the tape whose error is known by its interval alone.
@@ -234,6 +265,14 @@ impl<P: Precision> Shadow<P> {
             return Float::unbounded(result.value, result.exact);
         }
         self.tape.borrow_mut().source::<P>(result)
+    }
+
+    /// The same of a number that may go into sums unrounded.
+    fn part(&self, result: Float) -> Float {
+        if !self.promise.holds {
+            return Float::unbounded(result.value, result.exact);
+        }
+        self.tape.borrow_mut().unrelated::<P>(result, Kind::Part)
     }
 
     /// The largest distance of a number from its exact value.

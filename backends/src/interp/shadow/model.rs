@@ -1,8 +1,9 @@
 //! The shadow lane as a [`Model`].
 
-use super::slope::{only, rounded, rounded_product, rounded_sum};
+use super::slope::{only, rounded, rounded_product};
+use super::sum::Terms;
 use super::tape::Slope;
-use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope};
+use super::{Float, Shadow, Truth, Word, boolean, collect, elementary, interval, pieces, slope, sum};
 use crate::interp::formula;
 use crate::interp::model::{Model, Pick};
 use crate::interp::precision::{Double, Half, Precision};
@@ -88,7 +89,8 @@ impl<P: Precision> Model for Shadow<P> {
     fn join_f(&self, a: Float, b: Float, pick: Pick) -> Float {
         let value = if pick.value { a.value } else { b.value };
         let exact = if pick.exact { a.exact } else { b.exact };
-        self.source(Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high), ..a })
+        let terms = sum::either(a, b);
+        self.part(Float { value, exact, low: a.low.min(b.low), high: a.high.max(b.high), terms, ..a })
     }
 
     fn word(&self, value: u64) -> Word {
@@ -189,18 +191,20 @@ impl<P: Precision> Model for Shadow<P> {
         if a.known { self.number(value, exact) } else { Float::unbounded(value, exact) }
     }
     fn nonnegative(&self, a: Float) -> Float {
-        let cut =
-            Float { exact: a.exact.max(0.0), low: if a.bounded() { a.low.max(0.0) } else { a.low }, ..a };
+        let cut = Float {
+            exact: a.exact.max(0.0),
+            low: if a.bounded() { a.low.max(0.0) } else { a.low },
+            terms: Terms::ONE,
+            ..a
+        };
         self.link(cut, 0.0, only(a, if a.low >= 0.0 { Slope::ONE } else { Slope::PARTLY }))
     }
 
     fn add(&self, a: Float, b: Float) -> Float {
-        let sum = interval::add::<P>(a, b);
-        self.link(sum, rounded_sum::<P>(sum, [a, b]), self.summands(a, b, Slope::ONE))
+        self.sum(interval::add::<P>(a, b), a, b, Slope::ONE)
     }
     fn sub(&self, a: Float, b: Float) -> Float {
-        let difference = interval::sub::<P>(a, b);
-        self.link(difference, rounded_sum::<P>(difference, [a, b]), self.summands(a, b, Slope::MINUS_ONE))
+        self.sum(interval::sub::<P>(a, b), a, b, Slope::MINUS_ONE)
     }
     fn mul(&self, a: Float, b: Float) -> Float {
         let product = interval::mul::<P>(a, b);

@@ -84,6 +84,8 @@ pub(super) struct Promise {
     pub(super) root: f64,
     /// Whether a remainder is promised.
     pub(super) remainder: bool,
+    /// Whether the terms of a sum may be taken in any order.
+    pub(super) reassociation: bool,
     /// Whether `mix` may be by its other formula.
     pub(super) lerp: bool,
 }
@@ -99,6 +101,7 @@ impl Promise {
             quotient,
             root: root(&of, quotient.ulps, width),
             remainder: !of(REMAINDER).contains(&Accuracy::Nothing),
+            reassociation: model.rules.reassociation.0,
             lerp: of(Operation::Builtin(Intrinsic::Mix)).contains(&Accuracy::Inherited(LERP)),
         }
     }

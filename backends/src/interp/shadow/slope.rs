@@ -146,12 +146,6 @@ pub(super) fn rounded<P: Precision>(result: Float, operands: [Float; 2]) -> f64 
     spacing::<P>(result.low.abs().max(result.high.abs()))
 }
 
-/// Own error of a sum: adding nothing is exact, where all digits are promised.
-pub(super) fn rounded_sum<P: Precision>(result: Float, [a, b]: [Float; 2]) -> f64 {
-    let nothing = |x: Float| known(x) && x.low == 0.0;
-    if !P::IS_WIDE && (nothing(a) || nothing(b)) { 0.0 } else { rounded::<P>(result, [a, b]) }
-}
-
 /// Own error of a product: a power of two shifts, where all digits are promised.
 pub(super) fn rounded_product<P: Precision>(result: Float, [a, b]: [Float; 2]) -> f64 {
     let shift = |x: Float| known(x) && (x.low.to_bits() & ((1 << 52) - 1)) == 0;

@@ -100,8 +100,21 @@ impl Place {
 struct Step {
     operands: [Place; 2],
     slopes: [Slope; 2],
-    own: f64,
-    is_product: bool,
+    /// The operation's own error.
+    rounding: f64,
+    /// What it owes to operands that are not on the tape.
+    owed: f64,
+    kind: Kind,
+}
+
+/// What a number is to the sums that take it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Itself, the same in all of them.
+    Whole,
+    /// A product or a sum. A product may be fused into one sum and rounded in another, and the terms of a sum may be
+    /// those of a greater one, so a sum takes it before it is rounded, and answers for that itself.
+    Part,
 }
 
 /// Operations of a batch, in order. When it is full, what follows is known by intervals alone.
@@ -114,7 +127,7 @@ pub(super) struct Tape {
 
 impl Default for Tape {
     fn default() -> Self {
-        Self::with_capacity(1 << 20) // 56 MiB
+        Self::with_capacity(1 << 20) // 64 MiB
     }
 }
 
@@ -130,71 +143,87 @@ impl Tape {
 
     /// `result`, of which nothing is remembered but its interval; still, it is one number wherever it is used.
     pub(super) fn source<P: Precision>(&mut self, result: Float) -> Float {
-        self.record::<P>(result, result.bound(), [(result, Slope::ZERO); 2])
+        self.unrelated::<P>(result, Kind::Whole)
     }
 
-    /// `result` of an operation on two operands.
+    /// The same of a number that is a part of sums, perhaps.
+    pub(super) fn unrelated<P: Precision>(&mut self, result: Float, kind: Kind) -> Float {
+        if !result.bounded() || result.bound() == 0.0 {
+            return Float { place: Place::NONE, ..result };
+        }
+        let bound = result.bound() + if result.may_flush::<P>() { P::MIN_NORMAL } else { 0.0 };
+        let (operands, slopes) = ([Place::NONE; 2], [Slope::ZERO; 2]);
+        let step = Step { operands, slopes, rounding: 0.0, owed: bound, kind };
+        self.push(step, result)
+    }
+
+    /// `result` of an operation on two operands, with the error of its own rounding.
     pub(super) fn record<P: Precision>(
         &mut self,
         result: Float,
-        mut own: f64,
+        mut rounding: f64,
         operands: [(Float, Slope); 2],
+        kind: Kind,
     ) -> Float {
-        let place = Place(self.steps.len() as u32);
-        if !result.bounded() || result.bound() == 0.0 || self.steps.len() >= self.capacity {
+        if !result.bounded() || result.bound() == 0.0 {
             return Float { place: Place::NONE, ..result };
         }
         if result.may_flush::<P>() {
-            own += P::MIN_NORMAL;
+            rounding += P::MIN_NORMAL;
         }
+        let mut owed = 0.0;
         for (operand, slope) in operands {
             if operand.may_flush::<P>() {
-                own += slope.size() * P::MIN_NORMAL; // here, and perhaps nowhere else
+                rounding += slope.size() * P::MIN_NORMAL; // here, and perhaps nowhere else
             }
             if operand.place == Place::NONE && !slope.is_zero() && operand.bound() > 0.0 {
-                own += slope.size() * operand.bound();
+                owed += slope.size() * operand.bound();
             }
         }
         let [(a, in_a), (b, in_b)] = operands;
-        if !(own.is_finite() && in_a.is_finite() && in_b.is_finite()) {
-            return self.source::<P>(result);
+        if !((rounding + owed).is_finite() && in_a.is_finite() && in_b.is_finite()) {
+            return self.unrelated::<P>(result, kind);
         }
-        self.steps.push(Step { operands: [a.place, b.place], slopes: [in_a, in_b], own, is_product: false });
-        Float { place, ..result }
+        self.push(Step { operands: [a.place, b.place], slopes: [in_a, in_b], rounding, owed, kind }, result)
     }
 
-    /// Notes that the number, just put on the tape, is a product.
-    pub(super) fn mark_product(&mut self, number: Float) {
-        if let Some(index) = number.place.index() {
-            self.steps[index].is_product = true;
-        }
-    }
-
-    /// The number as a sum takes it: a product may be fused into one sum and rounded in another, so that in each
-    /// its rounding is an error of its own.
-    pub(super) fn summand(&mut self, number: Float) -> Float {
-        match number.place.index() {
-            Some(index) if self.steps[index].is_product && self.steps.len() < self.capacity => {
-                self.steps.push(self.steps[index]);
-                Float { place: Place(self.steps.len() as u32 - 1), ..number }
+    /// The number as a sum takes it, and its rounding, which the sum answers for.
+    pub(super) fn summand(&mut self, number: Float) -> (Float, f64) {
+        match self.step(number) {
+            Some(step) if step.kind == Kind::Part => {
+                (self.push(Step { rounding: 0.0, ..step }, number), step.rounding)
             }
-            Some(index) if self.steps[index].is_product => Float { place: Place::NONE, ..number },
-            Some(_) | None => number,
+            Some(_) | None => (number, 0.0),
         }
     }
 
-    /// Puts the opposite of a number on the tape; that of a product is one.
+    /// Puts the opposite of a number on the tape; that of a part is one.
     pub(super) fn negative<P: Precision>(&mut self, number: Float, result: Float) -> Float {
-        match number.place.index() {
-            Some(index) if self.steps[index].is_product && self.steps.len() < self.capacity => {
-                let step = self.steps[index];
-                self.steps.push(Step { slopes: step.slopes.map(|s| s.times(-1.0)), ..step });
-                Float { place: Place(self.steps.len() as u32 - 1), ..result }
+        match self.step(number) {
+            Some(step) if step.kind == Kind::Part => {
+                self.push(Step { slopes: step.slopes.map(|s| s.times(-1.0)), ..step }, result)
             }
-            Some(_) | None => {
-                self.record::<P>(result, 0.0, [(number, Slope::MINUS_ONE), (number, Slope::ZERO)])
-            }
+            Some(_) | None => self.record::<P>(
+                result,
+                0.0,
+                [(number, Slope::MINUS_ONE), (number, Slope::ZERO)],
+                Kind::Whole,
+            ),
         }
+    }
+
+    fn step(&self, number: Float) -> Option<Step> {
+        number.place.index().map(|index| self.steps[index])
+    }
+
+    /// Puts `number` on the tape as `step` says; where that is full, it is known by its interval alone.
+    fn push(&mut self, step: Step, number: Float) -> Float {
+        let place = Place(self.steps.len() as u32);
+        if self.steps.len() >= self.capacity {
+            return Float { place: Place::NONE, ..number };
+        }
+        self.steps.push(step);
+        Float { place, ..number }
     }
 
     /// How far `number` may be from its exact value, by all that led to it; infinite where that says nothing.
@@ -210,7 +239,7 @@ impl Tape {
                 continue;
             }
             let step = &self.steps[index];
-            sum += slope.size() * step.own;
+            sum += slope.size() * (step.rounding + step.owed);
             for (operand, along) in step.operands.iter().zip(step.slopes) {
                 if let Some(from) = operand.index()
                     && !along.is_zero()
