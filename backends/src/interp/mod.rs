@@ -258,8 +258,8 @@ impl<'m> Interpreter<'m> {
     /// Runs entry point `entry` as [`Interpreter::run`] does, with the exact value and a bound beside each float;
     /// the buffers and textures that the program may write come back, word by word and texel by texel.
     ///
-    /// Nothing is promised of what depends on the order of invocations, and of what textures are sampled to; races are
-    /// taken to be absent.
+    /// Nothing is promised of what depends on the order of invocations, and of blended texels; races are taken to be
+    /// absent.
     ///
     /// # Errors
     /// As [`Interpreter::run`], except that a loop that does not end makes all that the program may write unknown.

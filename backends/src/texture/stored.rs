@@ -137,14 +137,20 @@ impl Code {
         match self.coding {
             Coding::Unorm => bits as f64 / self.scale(),
             Coding::Snorm => (self.order(bits) as f64 / self.scale()).max(-1.0),
-            _ => f32::from_bits(self.decode(bits) as u32).into(),
+            Coding::Uint => bits as f64,
+            Coding::Sint => self.order(bits) as f64,
+            Coding::Srgb | Coding::Float => f32::from_bits(self.decode(bits) as u32).into(),
         }
     }
 
     /// The place of a code among all, by their numbers.
     fn order(self, bits: u64) -> i64 {
         let sign = 1 << (self.bits - 1);
-        let is_signed = self.coding == Coding::Snorm || (self.coding == Coding::Float && self.bits >= 16);
+        let is_signed = match self.coding {
+            Coding::Snorm | Coding::Sint => true,
+            Coding::Float => self.bits >= 16,
+            Coding::Unorm | Coding::Srgb | Coding::Uint => false,
+        };
         match self.coding {
             _ if !is_signed || bits < sign => bits as i64,
             Coding::Float => -((bits - sign) as i64),

@@ -2,9 +2,9 @@
 
 use crate::support::foreign;
 use lobe_backends::interp::{
-    BoundTexture, Buffer, Interpreter, Resources, ShadowRun, ShadowTexture, ShadowWord,
+    BoundSampler, BoundTexture, Buffer, Interpreter, Resources, ShadowRun, ShadowTexture, ShadowWord,
 };
-use lobe_backends::texture::{Dimension, Format, Texture, TextureShape};
+use lobe_backends::texture::{Compare, Dimension, Format, Sampler, Texture, TextureShape};
 
 const DRIVERS: u64 = 24;
 const SIDE: u32 = 8;
@@ -171,4 +171,146 @@ fn a_code_further_away_is_not_admitted() {
     ] {
         assert_eq!(format.admits(texel, ranges), is_admitted, "{texel:#x}");
     }
+}
+
+/// Numbers that `sample` leaves in `out`, on a texture of `format`, as the shadow lane has them.
+fn sampled(format: &str, sampler: Sampler, kind: &str, sample: &str) -> Vec<(f64, f64)> {
+    let how = if sampler.compare.is_some() { "sampler_comparison" } else { "sampler" };
+    let text = format!(
+        "@group(0) @binding(0) var<storage, read_write> out: array<vec4<f32>, 64>;
+        @group(0) @binding(2) var image: {kind};
+        @group(0) @binding(3) var how: {how};
+        @compute @workgroup_size(8, 8)
+        fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {{
+            let at = (vec2<f32>(id.xy) + 0.5) / 8.0;
+            let edge = vec2<f32>(id.xy) / 8.0;
+            out[i] = vec4<f32>({sample});
+        }}"
+    );
+    let module = foreign(&text);
+    let interpreter = Interpreter::new(&module).unwrap();
+    let samplers = [BoundSampler { group: 0, binding: 3, sampler }];
+    let mut textures = [picture(2, format)];
+    let mut run = |driver: Option<u64>| {
+        let mut buffers = [Buffer { group: 0, binding: 0, data: vec![0; 1024] }];
+        let resources = Resources { buffers: &mut buffers, textures: &mut textures, samplers: &samplers };
+        match driver {
+            None => return (Some(interpreter.shadow_run(0, [1; 3], resources).unwrap()), buffers),
+            Some(seed) => interpreter.perturbed_run(0, [1; 3], resources, seed).unwrap(),
+        }
+        (None, buffers)
+    };
+    let shadow = run(None).0.unwrap();
+    let told = |word: &ShadowWord| match *word {
+        ShadowWord::Float { exact, bound, .. } => (exact, bound),
+        ShadowWord::Word { .. } => panic!("a float was written"),
+    };
+    let told: Vec<(f64, f64)> = shadow.buffers[0].words.iter().map(told).collect();
+    for driver in 0..DRIVERS {
+        let (_, [buffer]) = run(Some(driver));
+        for ((exact, bound), bytes) in told.iter().zip(buffer.data.chunks(4)) {
+            let found = f64::from(f32::from_le_bytes(bytes.try_into().unwrap()));
+            assert!(
+                bound.is_infinite() || (found - exact).abs() <= *bound,
+                "{found} {exact} {bound}: {text}"
+            );
+        }
+    }
+    told
+}
+
+/// The same number in the texel at a place that `picture` gives it.
+fn number(x: u32, y: u32, channel: u32) -> f64 {
+    f64::from(((f64::from((y * SIDE + x) * 7 + channel * 5) / 90.0) % 1.0) as f32)
+}
+
+#[test]
+fn a_sample_in_the_middle_of_a_texel_is_that_texel() {
+    let told = sampled(
+        "rgba32float",
+        Sampler::default(),
+        "texture_2d<f32>",
+        "textureSampleLevel(image, how, at, 0.0)",
+    );
+    for (i, (exact, bound)) in told.iter().enumerate() {
+        let (texel, channel) = (i as u32 / 4, i as u32 % 4);
+        assert_eq!((*exact, *bound), (number(texel % SIDE, texel / SIDE, channel), 0.0), "{i}");
+    }
+}
+
+#[test]
+fn a_sample_at_the_edge_of_texels_is_either() {
+    let told = sampled(
+        "rgba32float",
+        Sampler::default(),
+        "texture_2d<f32>",
+        "textureSampleLevel(image, how, edge, 0.0)",
+    );
+    let (exact, bound) = told[4 * (3 * SIDE as usize + 3)];
+    let around = [number(2, 2, 0), number(3, 2, 0), number(2, 3, 0), number(3, 3, 0)];
+    let furthest = around.map(|x| (x - exact).abs()).into_iter().fold(0.0, f64::max);
+    assert!(exact == number(3, 3, 0) && (bound - furthest).abs() < 1e-6, "{exact} {bound} {around:?}");
+}
+
+#[test]
+fn a_sample_a_division_from_the_edge_is_either() {
+    let bound = |shift| {
+        let sample = format!("textureSampleLevel(image, how, at + {shift}, 0.0)");
+        sampled("rgba32float", Sampler::default(), "texture_2d<f32>", &sample)[4 * (3 * SIDE as usize + 3)].1
+    };
+    // 0.4 and 0.45 texels from the middle: 0.1 and 0.05 from the edge, where divisions are 0.0625 apart. An edge is the
+    // first division of the texel that begins there.
+    assert_eq!((bound("0.05"), bound("0.05625") > 0.0, bound("-0.05625")), (0.0, true, 0.0));
+}
+
+#[test]
+fn gathered_and_compared_texels_are_told_and_blends_are_not() {
+    let is_told = |told: &[(f64, f64)]| told.iter().filter(|(_, bound)| bound.is_finite()).count();
+    let color = "texture_2d<f32>";
+    let gathered =
+        sampled("rgba32float", Sampler::default(), color, "textureGather(1, image, how, at + 0.03)");
+    assert_eq!(is_told(&gathered), 256);
+    let blend =
+        sampled("rgba32float", Sampler::linear(), color, "textureSampleLevel(image, how, at + 0.03, 0.0)");
+    assert_eq!(is_told(&blend), 0);
+    let moved =
+        sampled("rgba32float", Sampler::default(), color, "textureSampleLevel(image, how, at * 1e9, 0.0)");
+    assert!(is_told(&moved) < 256);
+    let compare = |format, compare| {
+        let sample = "textureSampleCompareLevel(image, how, at, 0.51)";
+        sampled(format, Sampler::default().comparing(compare), "texture_depth_2d", sample)
+    };
+    for format in ["depth32float", "depth16unorm"] {
+        for (i, (exact, bound)) in compare(format, Compare::Less).iter().enumerate() {
+            let texel = i as u32 / 4;
+            let depth = number(texel % SIDE, texel / SIDE, 0);
+            assert_eq!((*exact, *bound), (f64::from(u8::from(0.51 < depth)), 0.0), "{format}: {depth}");
+        }
+    }
+}
+
+#[test]
+fn integers_that_a_coordinate_may_miss_are_not_known() {
+    let known = |shift: &str| {
+        let text = format!(
+            "@group(0) @binding(0) var<storage, read_write> out: array<vec4<i32>, 64>;
+            @group(0) @binding(2) var image: texture_2d<i32>;
+            @group(0) @binding(3) var how: sampler;
+            @compute @workgroup_size(8, 8)
+            fn main(@builtin(local_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) i: u32) {{
+                out[i] = textureGather(0, image, how, (vec2<f32>(id.xy) + {shift}) / 8.0);
+            }}"
+        );
+        let module = foreign(&text);
+        let mut buffers = [Buffer { group: 0, binding: 0, data: vec![0; 1024] }];
+        let mut textures = [picture(2, "r8sint")];
+        textures[0].texture.bytes_mut().iter_mut().zip(100..).for_each(|(byte, n)| *byte = n);
+        let samplers = [BoundSampler { group: 0, binding: 3, sampler: Sampler::default() }];
+        let resources = Resources { buffers: &mut buffers, textures: &mut textures, samplers: &samplers };
+        let shadow = Interpreter::new(&module).unwrap().shadow_run(0, [1; 3], resources).unwrap();
+        let words = shadow.buffers[0].words.iter();
+        words.filter(|word| matches!(word, ShadowWord::Word { known: true, .. })).count()
+    };
+    // In the middle of four texels they are sure; past edges the same texel is all there is.
+    assert!(known("0.0") == 256 && known("0.5") < 64);
 }

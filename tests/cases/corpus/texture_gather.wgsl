@@ -1,5 +1,4 @@
 // Covers: textureGather of each channel, of integers and depths, and textureGatherCompare.
-// lobe: --within out=0.0000003
 // lobe: --texture color=rgba8unorm:8x8x1 --texture counts=rgba8uint:8x8x1 --texture depth=depth16unorm:8x8x1
 // lobe: --texture pages=rgba8unorm:4x4x1:2 --sampler fine=linear,repeat --sampler shadow=linear,less --sampler sharp=nearest
 @group(0) @binding(0) var color: texture_2d<f32>;

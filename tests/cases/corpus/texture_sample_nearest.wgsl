@@ -1,5 +1,4 @@
 // Covers: textureSampleLevel with nearest filtering, to the last bit of a code over 255: texels, levels, address modes, offsets.
-// lobe: --within out=0.0000001
 // lobe: --texture color=rgba8unorm:16x8x1:1:4 --sampler sharp=nearest --sampler sharp_repeat=repeat
 // lobe: --sampler sharp_mirror=mirror --sampler middle=lod:1:2
 @group(0) @binding(0) var color: texture_2d<f32>;

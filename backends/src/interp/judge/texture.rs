@@ -1,9 +1,9 @@
 //! Textures, lane after lane.
 
 use super::super::model::Model;
-use super::super::program::texture::{Access, Operands, TextureOp};
+use super::super::program::texture::{Access, Operands, Sampling, TextureOp};
 use super::super::program::{Reg, Value};
-use super::super::texture::{Texels, TexelsMut, perform, texel_at};
+use super::super::texture::{Reach, Texels, TexelsMut, perform, reach, texel_at, wanted};
 use super::column::{Column, Family, family};
 use super::picture::Stored;
 use super::{Machine, Res, integer};
@@ -47,8 +47,10 @@ impl<M: Model> Machine<'_, M> {
                 (Column::Float(to), Some(known)) => {
                     to[lane] = self.model.ranged(f32::from_bits(bits as u32), known[channel]);
                 }
-                (to, Some(_)) => self.set(to, scalar, lane, self.model.word(bits)),
-                (to, None) => {
+                (to, Some(known)) if known[channel].low == known[channel].high => {
+                    self.set(to, scalar, lane, self.model.word(bits));
+                }
+                (to, Some(_) | None) => {
                     self.flags.tainted[lane] = true;
                     self.set(to, scalar, lane, self.model.forget(self.model.word(bits)));
                 }
@@ -58,7 +60,7 @@ impl<M: Model> Machine<'_, M> {
         Ok(())
     }
 
-    /// What drivers may get of an operation, if that is known; integers are then those of the strict path.
+    /// What drivers may get of an operation, if that is known; an integer that all have is that of the strict path.
     fn found(&self, access: &Access, operands: &Operands<u64>, lane: usize) -> Res<Option<[Known; 4]>> {
         let image = &self.images[access.image as usize];
         let is_known = !M::SHADOW || self.is_place_known(access, lane)?;
@@ -67,9 +69,35 @@ impl<M: Model> Machine<'_, M> {
             TextureOp::Size | TextureOp::Levels | TextureOp::Layers | TextureOp::Samples if is_known => {
                 Some([Known::point(0.0); 4])
             }
+            TextureOp::Sample(sampling) => self.sampled(access, sampling, operands, lane)?,
             TextureOp::Atomic(_) if !M::SHADOW => Some([Known::point(0.0); 4]),
             _ => None,
         })
+    }
+
+    /// What drivers may get of a sample.
+    fn sampled(
+        &self,
+        access: &Access,
+        sampling: Sampling,
+        operands: &Operands<u64>,
+        lane: usize,
+    ) -> Res<Option<[Known; 4]>> {
+        let range = |value: Value| Ok(self.model.range(self.floats(value)?.at(lane)));
+        let layer =
+            access.operands.layer.map_or(Ok(true), |layer| Ok(self.model.known(self.word(layer, lane)?)));
+        let level = access.operands.level.map_or(Ok(Known::point(0.0)), range)?;
+        let Some(sampler) = self.samplers.get(sampling.sampler as usize) else { return Ok(None) };
+        if !layer? || level.low < level.high {
+            return Ok(None);
+        }
+        let mut coordinates = [Known::point(0.0); 3];
+        for (to, value) in coordinates.iter_mut().zip(access.operands.place) {
+            *to = value.map_or(Ok(*to), range)?;
+        }
+        let reference = access.operands.reference.map(range).transpose()?;
+        let sample = wanted(sampler, sampling, operands);
+        Ok(reach(&self.images[access.image as usize], &sample, &Reach { coordinates, reference }))
     }
 
     /// Whether all drivers look at the same place.

@@ -7,22 +7,26 @@
 //! - `address` turns coordinates into numbers of texels and weights; `cube` finds faces and what lies past their
 //!   edges; `lod` chooses levels.
 //! - `sample` puts these together: filtering, gathering, comparing.
+//! - `reach` tells what drivers may find in place of that, where nothing is blended.
 //! - `perform` is what an executor calls: an operation of a program with its operands.
 //!
 //! Weights are exact here: coordinates become texel units by one f32 product, all that follows is f64, and a filtered
-//! result is rounded once. Drivers may round weights to 8 fractional bits, those between levels too, so a result may
-//! differ from theirs by 2^-8 of the largest difference of the texels around for each axis, and once more for levels.
+//! result is rounded once. Drivers may snap weights to divisions of 2^-4, those between levels too, and usually do to 2^-8, so
+//! a result may differ from theirs by that share of the largest difference of the texels around for each axis, and once
+//! more for levels.
 
 mod address;
 mod cube;
 mod load;
 mod lod;
 mod perform;
+mod reach;
 mod sample;
 
 use load::{At, inside, load, store};
 use lod::Lod;
-pub(crate) use perform::{astray, perform, texel_at};
+pub(crate) use perform::{astray, perform, texel_at, wanted};
+pub(crate) use reach::{Reach, reach};
 use sample::{Sample, sample};
 
 use crate::texture::TextureShape;

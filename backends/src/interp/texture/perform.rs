@@ -1,7 +1,7 @@
 //! One operation of a program in one invocation.
 
 use super::super::program::Update;
-use super::super::program::texture::{Operands, TextureOp};
+use super::super::program::texture::{Operands, Sampling, TextureOp};
 use super::{At, Lod, Sample, TexelsMut, inside, load, sample, store};
 use crate::texture::{Dimension, Sampler, TextureShape};
 
@@ -27,17 +27,7 @@ pub(crate) fn perform(
             let Some(sampler) = sampler else {
                 return [0; 4];
             };
-            let wanted = Sample {
-                sampler,
-                coordinates: operands.place.map(float),
-                layer: integer(operands.layer),
-                lod: lod(operands),
-                offset: sampling.offset,
-                reference: operands.reference.map(|r| f32::from_bits(r as u32)),
-                gather: sampling.gather.map(usize::from),
-                clamp_to_edge: sampling.clamp_to_edge,
-            };
-            sample(texels, &wanted).map(|channel| channel.to_bits().into())
+            sample(texels, &wanted(sampler, sampling, operands)).map(|channel| channel.to_bits().into())
         }
         TextureOp::Size => {
             let level = u32::try_from(integer(operands.level)).ok().filter(|level| *level < shape.levels);
@@ -50,6 +40,20 @@ pub(crate) fn perform(
             [u64::from(if cubes { shape.layers / 6 } else { shape.layers }), 0, 0, 0]
         }
         TextureOp::Samples => [shape.samples.into(), 0, 0, 0],
+    }
+}
+
+/// The sample that operands ask for.
+pub(crate) fn wanted<'s>(sampler: &'s Sampler, sampling: Sampling, operands: &Operands<u64>) -> Sample<'s> {
+    Sample {
+        sampler,
+        coordinates: operands.place.map(float),
+        layer: integer(operands.layer),
+        lod: lod(operands),
+        offset: sampling.offset,
+        reference: operands.reference.map(|r| f32::from_bits(r as u32)),
+        gather: sampling.gather.map(usize::from),
+        clamp_to_edge: sampling.clamp_to_edge,
     }
 }
 

@@ -46,9 +46,9 @@ fn mix(a: f64, b: f64, weight: f64) -> f64 {
 }
 
 /// Where a sample is taken: cubes are unfolded to their faces.
-struct Spot<'s, T> {
-    texels: &'s T,
-    sample: &'s Sample<'s>,
+pub(super) struct Spot<'s, T> {
+    pub(super) texels: &'s T,
+    pub(super) sample: &'s Sample<'s>,
     layer: u32,
     coordinates: [f32; 3],
     face: Option<u32>,
@@ -56,7 +56,7 @@ struct Spot<'s, T> {
 }
 
 impl<'s, T: Texels> Spot<'s, T> {
-    fn new(texels: &'s T, sample: &'s Sample<'s>) -> Self {
+    pub(super) fn new(texels: &'s T, sample: &'s Sample<'s>) -> Self {
         let shape = texels.shape();
         let cube = matches!(shape.dimension, Dimension::Cube | Dimension::CubeArray);
         let layers = if cube { shape.layers / 6 } else { shape.layers };
@@ -86,7 +86,12 @@ impl<'s, T: Texels> Spot<'s, T> {
         spot
     }
 
-    fn axes(&self) -> usize {
+    /// Whether it is on a face of a cube.
+    pub(super) fn is_cube(&self) -> bool {
+        self.face.is_some()
+    }
+
+    pub(super) fn axes(&self) -> usize {
         match self.texels.shape().dimension {
             Dimension::D1 => 1,
             Dimension::D2 | Dimension::D2Array | Dimension::Cube | Dimension::CubeArray => 2,
@@ -158,7 +163,7 @@ impl<'s, T: Texels> Spot<'s, T> {
     }
 
     /// Layer and place of the texel that stands for the one at `place`.
-    fn texel(&self, level: u32, place: [i64; 3]) -> Option<(u32, [u32; 3])> {
+    pub(super) fn texel(&self, level: u32, place: [i64; 3]) -> Option<(u32, [u32; 3])> {
         let size = self.texels.shape().level_size(level);
         if let Some(face) = self.face {
             let (face, [x, y]) = cube::neighbour(face, [place[0], place[1]], size[0])?;
