@@ -31,7 +31,7 @@ pub enum Limit {
 }
 
 /// What is to be large.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Aim {
     /// The bound, as a share of the budget, or of the value where no budget is stated.
@@ -45,7 +45,7 @@ pub enum Aim {
 const AIMS: [Aim; 3] = [Aim::Bound, Aim::Error, Aim::Difference];
 
 /// The worst row for an aim.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Find {
     /// The aim.
     pub aim: Aim,
@@ -68,7 +68,7 @@ impl Find {
 }
 
 /// What a search came to.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Found {
     /// Rows that were tried.
     pub rows: usize,

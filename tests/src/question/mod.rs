@@ -20,7 +20,7 @@ use lobe_backends::route::Route;
 use lobe_codegen::data::Columns;
 
 /// A question.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Question {
     /// Does the f64 value match an independent one?
@@ -47,7 +47,7 @@ impl Question {
 }
 
 /// How a question came out.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(tag = "verdict", content = "why", rename_all = "snake_case")]
 pub enum Verdict {
     /// Yes.
@@ -61,7 +61,7 @@ pub enum Verdict {
 }
 
 /// The answer to one question, on one route or group of routes where the question has them.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Answer {
     /// The question.
     pub question: Question,

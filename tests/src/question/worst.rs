@@ -5,7 +5,7 @@ use lobe_codegen::def::FunctionDef;
 use serde_json::Value;
 
 /// A row, replayable with `lobe eval`.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Worst {
     /// The arguments, floats in hexadecimal.
     pub args: Value,
@@ -105,13 +105,31 @@ pub fn ulp(value: f64) -> f64 {
 
 /// JSON has no infinities and no NaN: they are written as strings.
 pub(crate) mod float {
-    use serde::Serializer;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    /// A float as JSON has it.
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Written {
+        Number(f64),
+        Word(String),
+    }
 
     pub(crate) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
         if value.is_finite() {
             serializer.serialize_f64(*value)
         } else {
             serializer.serialize_str(&value.to_string().to_lowercase())
+        }
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        match Written::deserialize(deserializer)? {
+            Written::Number(value) => Ok(value),
+            Written::Word(word) => {
+                word.parse().map_err(|_| D::Error::custom(format!("`{word}` is no float")))
+            }
         }
     }
 }

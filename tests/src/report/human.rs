@@ -50,7 +50,7 @@ pub fn render(report: &Report, style: Style) -> String {
 #[must_use]
 pub fn render_kernel(kernel: &KernelReport, style: Style) -> String {
     let mut out = style.paint(Paint::Strong, &kernel.name);
-    let about = [kernel.cite.to_owned(), inputs(kernel)];
+    let about = [kernel.cite.clone(), inputs(kernel)];
     for part in about.iter().filter(|part| !part.is_empty()) {
         let _ = write!(out, "   {part}");
     }
@@ -187,7 +187,7 @@ pub fn summary(report: &Report, style: Style) -> String {
     } else {
         style.paint(Paint::Bad, "nothing was asked")
     };
-    let model = report.model.map(|name| format!(", accuracy model {name}")).unwrap_or_default();
+    let model = report.model.as_ref().map(|name| format!(", accuracy model {name}")).unwrap_or_default();
     let _ = writeln!(
         out,
         "{} kernels, seed {}{model}: {verdict} ({} hold, {} expected failures, {} not asked, {} routes skipped)",

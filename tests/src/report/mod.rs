@@ -12,19 +12,19 @@ use lobe_codegen::accuracy::Model;
 use lobe_codegen::def::FunctionDef;
 
 /// The outcome of a whole run.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Report {
     /// Of the JSON format; grows when a reader would have to change.
     pub schema: u32,
     /// Of Lobe.
-    pub version: &'static str,
+    pub version: String,
     /// What was run, as `check`.
-    pub command: &'static str,
+    pub command: String,
     /// Where the drawing of inputs began.
     pub seed: u64,
     /// What drivers are permitted, where that is not the default: the name of an accuracy model.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model: Option<&'static str>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model: Option<String>,
     /// Routes that ran.
     pub routes: Vec<String>,
     /// Routes that could have run and did not.
@@ -36,7 +36,7 @@ pub struct Report {
 }
 
 /// A route that did not run.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Skipped {
     /// The route.
     pub route: String,
@@ -47,14 +47,14 @@ pub struct Skipped {
 }
 
 /// The outcome of one kernel.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct KernelReport {
     /// Its name.
     pub name: String,
     /// Subject it belongs to.
-    pub family: &'static str,
+    pub family: String,
     /// Where its equation stands.
-    pub cite: &'static str,
+    pub cite: String,
     /// Rows drawn.
     pub inputs: usize,
     /// Rows out of files among them.
@@ -62,7 +62,7 @@ pub struct KernelReport {
     /// The answers, in the order of the questions.
     pub answers: Vec<Answer>,
     /// The worst rows, where they were looked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub search: Option<Found>,
     /// How tight the derived bounds are, where drivers drawn by chance ran.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,7 +70,7 @@ pub struct KernelReport {
 }
 
 /// Answers by verdict.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Tally {
     /// Yes.
     pub hold: usize,
@@ -85,11 +85,11 @@ pub struct Tally {
 impl Report {
     /// An empty report of `command`.
     #[must_use]
-    pub fn new(command: &'static str, seed: u64) -> Self {
+    pub fn new(command: &str, seed: u64) -> Self {
         Self {
             schema: json::SCHEMA,
-            version: env!("CARGO_PKG_VERSION"),
-            command,
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            command: command.to_owned(),
             seed,
             model: None,
             routes: Vec::new(),
@@ -102,7 +102,7 @@ impl Report {
     /// The same of a run in which drivers were permitted what `accuracy` permits.
     #[must_use]
     pub fn with_accuracy(self, accuracy: &Model) -> Self {
-        Self { model: accuracy.unusual_name(), ..self }
+        Self { model: accuracy.unusual_name().map(str::to_owned), ..self }
     }
 
     /// Counts the answers.
@@ -141,8 +141,8 @@ impl KernelReport {
     pub fn new(kernel: &FunctionDef) -> Self {
         Self {
             name: kernel.name.to_owned(),
-            family: kernel.contract.family,
-            cite: kernel.contract.cite,
+            family: kernel.contract.family.to_owned(),
+            cite: kernel.contract.cite.to_owned(),
             inputs: 0,
             listed: 0,
             answers: Vec::new(),
@@ -156,8 +156,8 @@ impl KernelReport {
     pub fn unknown(name: &str) -> Self {
         Self {
             name: name.to_owned(),
-            family: "",
-            cite: "",
+            family: String::new(),
+            cite: String::new(),
             inputs: 0,
             listed: 0,
             answers: Vec::new(),
