@@ -3,8 +3,45 @@
 //! A file of them is TOML, one `[[expected]]` each. An expectation that no longer holds is as bad as a fault that none
 //! expects: the list says what is true of these drivers today.
 
+use crate::cases::Cases;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+
+/// The file of expectations in a folder of cases.
+pub const FILE: &str = "expectations.toml";
+
+/// How a route ends that gets something wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fault {
+    /// Its results lie outside the bound.
+    Beyond,
+    /// A compiler or the driver does not take the shader, so there are no results.
+    Refused,
+    /// Floats differ, and nothing says by how much they may.
+    Unjudged,
+    /// It did not end in time.
+    Timeout,
+    /// It crashed or panicked.
+    Crashed,
+    /// Its results are not those of the other routes on its driver, bit for bit; asked of kernels only.
+    Differs,
+}
+
+impl Fault {
+    /// Its name in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Beyond => "beyond",
+            Self::Refused => "refused",
+            Self::Unjudged => "unjudged",
+            Self::Timeout => "timeout",
+            Self::Crashed => "crashed",
+            Self::Differs => "differs",
+        }
+    }
+}
 
 /// One known fault.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -17,8 +54,8 @@ pub struct Expectation {
     /// What the driver says of itself contains this; any driver's words if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub driver: Option<String>,
-    /// How the route ends: `beyond`, `refused`, ..
-    pub fails: String,
+    /// How the route ends.
+    pub fails: Fault,
     /// Why, and how we know.
     pub reason: String,
     /// Where it is reported or discussed.
@@ -84,6 +121,15 @@ pub fn read(path: &Path) -> Result<Vec<Expectation>, ExpectationError> {
     }
 }
 
+/// The expectations in a folder of cases; a folder without the [`FILE`] has none.
+///
+/// # Errors
+/// As of [`read`].
+pub fn of_cases(cases: &Cases) -> Result<Vec<Expectation>, ExpectationError> {
+    let path = cases.folder().join(FILE);
+    if path.exists() { read(&path) } else { Ok(Vec::new()) }
+}
+
 impl Expectation {
     /// Whether it is about this kernel or shader.
     #[must_use]
@@ -95,6 +141,30 @@ impl Expectation {
     #[must_use]
     pub fn is_by(&self, route: &str, driver: &str) -> bool {
         matches(&self.route, route) && self.driver.as_ref().is_none_or(|part| driver.contains(part))
+    }
+
+    /// Why it is no matter that the route ended as it did, by this name; else what is wrong with that.
+    ///
+    /// # Errors
+    /// When the route was expected to end otherwise.
+    pub fn excuse(&self, ended: &str) -> Result<String, String> {
+        if ended == self.fails.name() {
+            return Ok(self.told());
+        }
+        Err(format!(
+            "it is {ended}, not {} as expected ({}): the expectation has to go or to change",
+            self.fails.name(),
+            self.told()
+        ))
+    }
+
+    /// The reason, and where more is said.
+    #[must_use]
+    pub fn told(&self) -> String {
+        match &self.link {
+            Some(link) => format!("{}, {link}", self.reason),
+            None => self.reason.clone(),
+        }
     }
 }
 
@@ -145,5 +215,7 @@ mod tests {
         assert!(fault.contains("`mix` by spirv@*"), "{fault}");
         let fault = read_text(&text.replace("fails", "fail")).expect_err("no such field");
         assert!(fault.contains("unknown field `fail`") && fault.contains("line 4"), "{fault}");
+        let fault = read_text(&text.replace("'beyond'", "'beyont'")).expect_err("no such fault");
+        assert!(fault.contains("unknown variant `beyont`") && fault.contains("`differs`"), "{fault}");
     }
 }

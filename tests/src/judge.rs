@@ -2,11 +2,13 @@
 
 use crate::cases::Cases;
 use crate::domain::{DomainError, Inputs};
+use crate::expectation::Expectation;
 use crate::oracle::{self, Mapping};
 use crate::perturbed::Perturbed;
 use crate::question::agree::Agree;
 use crate::question::conformant::Conformant;
 use crate::question::correct::Approximation;
+use crate::question::expected::Expected;
 use crate::question::robust::Robust;
 use crate::question::sanitized::Sanitized;
 use crate::question::{Answer, Batch, Question, Verdict};
@@ -44,6 +46,8 @@ pub struct Plan {
     pub drivers: usize,
     /// How long to look for worse rows than those drawn, if at all.
     pub search: Option<Limit>,
+    /// Faults of routes that are known.
+    pub expected: Vec<Expectation>,
 }
 
 /// Why a kernel could not be judged.
@@ -126,8 +130,9 @@ fn answers(
         hunt.run(&subject, (limit, plan.seed), routes, &mut |batch| questions.ask_of_found(batch))?;
         report.search = Some(hunt.finish(subject.def()));
     }
+    let expected = Expected::new(subject.def().name, &plan.expected, routes);
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
-    answers.extend(questions.finish(&subject));
+    answers.extend(questions.finish(&subject, &expected));
     if let Some(perturbed) = perturbed {
         let (answer, tightness) = perturbed.finish();
         answers.push(answer);
@@ -217,12 +222,12 @@ impl Questions {
         self.sanitized.iter_mut().for_each(|sanitized| sanitized.absorb(batch));
     }
 
-    fn finish(self, subject: &Subject) -> Vec<Answer> {
+    fn finish(self, subject: &Subject, expected: &Expected<'_>) -> Vec<Answer> {
         let mut answers: Vec<Answer> = self.approximation.finish(subject).into_iter().collect();
         answers.push(self.robust.finish(subject));
         answers.extend(self.sanitized.map(|sanitized| sanitized.finish(subject)));
-        answers.extend(self.conformant.finish());
-        answers.extend(self.agree.finish());
+        answers.extend(self.conformant.finish(expected));
+        answers.extend(self.agree.finish(expected));
         answers
     }
 }

@@ -222,7 +222,7 @@ fn a_missing_domain_is_named() {
 }
 
 fn spoilt(name: &str, spoil: fn(&mut Columns)) -> Box<Spoilt> {
-    Box::new(Spoilt { route: name.parse().expect("a route"), spoil })
+    Box::new(Spoilt { route: name.parse().expect("a route"), spoil, driver: "" })
 }
 
 /// The last row's result, its words changed.

@@ -85,6 +85,10 @@ impl Executor for GpuRoute {
         &self.route
     }
 
+    fn driver_info(&self) -> &str {
+        &self.gpu.driver().driver_info
+    }
+
     fn run(&mut self, kernel: &Program, args: &Columns) -> Result<Columns, ExecError> {
         kernel.check_shape(args)?;
         let layout = &kernel.entry()?.1;

@@ -22,6 +22,11 @@ pub trait Executor {
     /// The route.
     fn route(&self) -> &Route;
 
+    /// What the route's driver says of itself, its version with it; nothing where there is no driver.
+    fn driver_info(&self) -> &str {
+        ""
+    }
+
     /// The kernel's result for each row of `args`, whose columns are [`Program::params`].
     ///
     /// # Errors

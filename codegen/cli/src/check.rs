@@ -7,10 +7,12 @@ use crate::route::{self, RouteArgs};
 use crate::select;
 use lobe_codegen::accuracy::Model;
 use lobe_tests::cases::Cases;
+use lobe_tests::expectation;
 use lobe_tests::judge::{Plan, judge};
 use lobe_tests::oracle::Mapping;
 use lobe_tests::report::{KernelReport, Report, human, json, junit};
 use lobe_tests::search::Limit;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Options.
@@ -37,6 +39,10 @@ pub(crate) struct Args {
     /// List the rows that the search found to be worse in the folder of cases, so that every check takes them
     #[arg(long, requires = "search")]
     keep: bool,
+    /// Known faults of routes; one that is there passes, one that is gone fails [default: expectations.toml in the folder
+    /// of cases, if there is one]
+    #[arg(long, value_name = "FILE")]
+    expectations: Option<PathBuf>,
     /// What drivers are permitted, by specification; see `lobe list --operations`
     #[arg(long, value_name = "MODEL", default_value = "portable", value_parser = model::parser())]
     model: &'static Model,
@@ -54,10 +60,15 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let kernels = select::kernels(&args.kernels)?;
     let mut opened = route::open(&args.routes)?;
+    let cases = Cases::standard();
     let plan = Plan {
         inputs: args.inputs as usize,
         seed: args.seed,
-        cases: Cases::standard(),
+        expected: match &args.expectations {
+            Some(file) => expectation::read(file)?,
+            None => expectation::of_cases(&cases)?,
+        },
+        cases,
         mapping: Mapping::standard()?,
         sanitize: args.sanitize,
         accuracy: args.model,

@@ -2,6 +2,7 @@
 //!
 //! Any NaN equals any NaN: drivers and languages do not keep payloads.
 
+use super::expected::Expected;
 use super::worst::{Sample, Worst};
 use super::{Answer, Batch, Question, Verdict};
 use crate::subject::as_f64;
@@ -22,6 +23,10 @@ struct Group {
     cases: usize,
     different: usize,
     first: Option<(Worst, String)>,
+    /// The routes that ran, the one that others are compared with first.
+    ran: Vec<Route>,
+    /// Those that differ from it.
+    differing: Vec<Route>,
 }
 
 impl Agree {
@@ -51,14 +56,14 @@ impl Agree {
 
     /// An answer for each group.
     #[must_use]
-    pub fn finish(self) -> Vec<Answer> {
-        self.groups.into_iter().map(Group::finish).collect()
+    pub fn finish(self, expected: &Expected<'_>) -> Vec<Answer> {
+        self.groups.into_iter().map(|group| group.finish(expected)).collect()
     }
 }
 
 impl Group {
     fn new(label: String, members: Vec<usize>) -> Self {
-        Self { label, members, cases: 0, different: 0, first: None }
+        Self { label, members, cases: 0, different: 0, first: None, ran: Vec::new(), differing: Vec::new() }
     }
 
     fn absorb(&mut self, batch: &Batch<'_>) {
@@ -72,21 +77,23 @@ impl Group {
             return;
         }
         self.cases += batch.args.rows;
+        outputs.iter().for_each(|(route, _)| note(&mut self.ran, route));
         for row in 0..batch.args.rows {
-            let different = others.iter().find_map(|(route, other)| {
-                first_difference(batch, base, other, row).map(|leaf| (*route, *other, leaf))
-            });
-            if let Some((route, other, leaf)) = different {
-                self.different += 1;
+            let mut is_different = false;
+            for (route, other) in others {
+                let Some(leaf) = first_difference(batch, base, other, row) else { continue };
+                is_different = true;
+                note(&mut self.differing, route);
                 self.first.get_or_insert_with(|| {
                     let sample = sample(batch, base, other, row, leaf);
                     (batch.worst(row, leaf, sample), format!("{route} differs from {base_route}"))
                 });
             }
+            self.different += usize::from(is_different);
         }
     }
 
-    fn finish(self) -> Answer {
+    fn finish(self, expected: &Expected<'_>) -> Answer {
         let verdict = match (&self.first, self.cases) {
             (Some((_, which)), cases) => {
                 Verdict::FallsShort(format!("{which} on {} of {cases} rows", self.different))
@@ -94,6 +101,7 @@ impl Group {
             (None, 0) => Verdict::NotAsked("needs two routes that ran".to_owned()),
             (None, _) => Verdict::Holds,
         };
+        let verdict = expected.of_group(&self.ran, &self.differing, verdict);
         let n = self.members.len();
         let subject =
             if self.label.starts_with('@') { format!("{n} routes {}", self.label) } else { self.label };
@@ -102,6 +110,13 @@ impl Group {
             worst: self.first.map(|(worst, _)| worst),
             ..Answer::bare(Question::Agree, subject, verdict)
         }
+    }
+}
+
+/// Adds a route that is not there yet.
+fn note(routes: &mut Vec<Route>, route: &Route) {
+    if !routes.contains(route) {
+        routes.push(route.clone());
     }
 }
 

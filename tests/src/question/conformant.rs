@@ -1,7 +1,9 @@
 //! Question 3: does the result of a route lie inside the derived bound around the f64 value?
 
+use super::expected::Expected;
 use super::worst::{Extreme, Sample};
 use super::{Answer, Batch, Question, Verdict};
+use crate::expectation::Fault;
 use lobe_backends::interp::ShadowColumn;
 use lobe_backends::route::Route;
 use lobe_codegen::data::Columns;
@@ -38,8 +40,8 @@ impl Conformant {
 
     /// An answer for each route.
     #[must_use]
-    pub fn finish(self) -> Vec<Answer> {
-        self.routes.into_values().map(|(route, of_route)| of_route.finish(&route)).collect()
+    pub fn finish(self, expected: &Expected<'_>) -> Vec<Answer> {
+        self.routes.into_values().map(|(route, of_route)| of_route.finish(&route, expected)).collect()
     }
 }
 
@@ -71,14 +73,16 @@ impl OfRoute {
         (known || !inside).then_some(inside)
     }
 
-    fn finish(self, route: &Route) -> Answer {
-        let verdict = match (self.failure, self.outside) {
-            (Some(why), _) => Verdict::FallsShort(why),
-            (None, 0) => Verdict::Holds,
+    fn finish(self, route: &Route, expected: &Expected<'_>) -> Answer {
+        let (fault, verdict) = match (self.failure, self.outside) {
+            (Some(why), _) => (Some(Fault::Refused), Verdict::FallsShort(why)),
+            (None, 0) => (None, Verdict::Holds),
             (None, n) => {
-                Verdict::FallsShort(format!("{n} of {} rows lie outside the derived bound", self.cases))
+                let why = format!("{n} of {} rows lie outside the derived bound", self.cases);
+                (Some(Fault::Beyond), Verdict::FallsShort(why))
             }
         };
+        let verdict = expected.of_route(route, fault, verdict);
         Answer {
             cases: self.cases,
             indeterminate: self.indeterminate,

@@ -7,6 +7,7 @@
 pub mod agree;
 pub mod conformant;
 pub mod correct;
+pub mod expected;
 pub mod robust;
 pub mod sanitized;
 mod worst;
@@ -54,7 +55,7 @@ pub enum Verdict {
     Holds,
     /// No.
     FallsShort(String),
-    /// No, as the kernel's contract says; the reason it gives.
+    /// No, as the kernel's contract or an [expectation](crate::expectation) says; the reason it gives.
     ExpectedFailure(String),
     /// There was nothing to ask, or to ask with.
     NotAsked(String),

@@ -12,6 +12,7 @@ use super::resource::{self, Resource};
 use super::routes::{Routes, ShaderRoute, Subject};
 use super::run::{Res, Steps, Stop, stop};
 use super::texture;
+use crate::expectation::Fault;
 use lobe_backends::gpu::BindingKind;
 use lobe_codegen::ValidModule;
 use lobe_codegen::accuracy::Model;
@@ -182,7 +183,8 @@ impl<'t, 's> Trial<'t, 's> {
     /// What a route came to, in the light of what was expected of it.
     fn expected(&self, route: &ShaderRoute, found: RouteReport) -> RouteReport {
         let driver = self.routes.driver_info(route);
-        match self.steps.job.expected.iter().find(|e| e.is_by(&found.route, driver)) {
+        let mut of_one_route = self.steps.job.expected.iter().filter(|e| e.fails != Fault::Differs);
+        match of_one_route.find(|e| e.is_by(&found.route, driver)) {
             Some(expectation) => found.expected(expectation),
             None => found,
         }

@@ -195,15 +195,12 @@ impl RouteReport {
     /// The same in the light of what was expected.
     #[must_use]
     pub fn expected(mut self, expectation: &Expectation) -> Self {
-        let Expectation { fails, reason, .. } = expectation;
-        if self.status.name() == fails {
-            self.expected = Some(reason.clone());
-        } else {
-            self.message = Some(format!(
-                "it is {}, not {fails} as expected ({reason}): the expectation has to go or to change",
-                self.status.name()
-            ));
-            self.status = RouteStatus::Unexpected;
+        match expectation.excuse(self.status.name()) {
+            Ok(reason) => self.expected = Some(reason),
+            Err(message) => {
+                self.message = Some(message);
+                self.status = RouteStatus::Unexpected;
+            }
         }
         self
     }

@@ -24,6 +24,7 @@ pub(crate) fn plan(inputs: usize) -> Plan {
         accuracy: Model::portable(),
         drivers: 0,
         search: None,
+        expected: Vec::new(),
     }
 }
 
@@ -34,7 +35,12 @@ pub(crate) fn check(kernel: FunctionRef) -> KernelReport {
 
 /// The report on `kernel`.
 pub(crate) fn check_on(kernel: FunctionRef, routes: &mut [Box<dyn Executor>]) -> KernelReport {
-    judge(kernel, &plan(1000), routes, &|_| {})
+    check_by(kernel, &plan(1000), routes)
+}
+
+/// The report on `kernel`, as planned.
+pub(crate) fn check_by(kernel: FunctionRef, plan: &Plan, routes: &mut [Box<dyn Executor>]) -> KernelReport {
+    judge(kernel, plan, routes, &|_| {})
 }
 
 /// The first answer to `question`.
@@ -48,11 +54,17 @@ pub(crate) fn answer(report: &KernelReport, question: Question) -> &Answer {
 pub(crate) struct Spoilt {
     pub(crate) route: Route,
     pub(crate) spoil: fn(&mut Columns),
+    /// What its driver says of itself.
+    pub(crate) driver: &'static str,
 }
 
 impl Executor for Spoilt {
     fn route(&self) -> &Route {
         &self.route
+    }
+
+    fn driver_info(&self) -> &str {
+        self.driver
     }
 
     fn run(&mut self, kernel: &Program, args: &Columns) -> Result<Columns, ExecError> {
