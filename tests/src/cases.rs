@@ -18,10 +18,18 @@ impl Cases {
     /// The folder that `LOBE_CASES` names, else `tests/cases` of the source tree that this was built from.
     #[must_use]
     pub fn standard() -> Self {
-        match std::env::var_os("LOBE_CASES").filter(|value| !value.is_empty()) {
-            Some(named) => Self(named.into()),
-            None => Self(Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")),
-        }
+        Self::named().unwrap_or_else(|| Self(Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")))
+    }
+
+    /// The folder that `LOBE_CASES` names, else `tests/cases` of the package in `folder`.
+    #[must_use]
+    pub fn of_package(folder: &str) -> Self {
+        Self::named().unwrap_or_else(|| Self(Path::new(folder).join("tests").join("cases")))
+    }
+
+    fn named() -> Option<Self> {
+        let named = std::env::var_os("LOBE_CASES").filter(|value| !value.is_empty());
+        named.map(|folder| Self(folder.into()))
     }
 
     /// The cases in `folder`.

@@ -9,9 +9,11 @@ pub mod domain;
 pub mod expectation;
 pub mod explain;
 pub mod figures;
+pub mod files;
 pub mod judge;
 pub mod measure;
 pub mod mutation;
+pub mod named;
 pub mod operations;
 pub mod oracle;
 pub mod perturbed;
@@ -22,3 +24,5 @@ pub mod shader;
 pub mod subject;
 pub mod throughput;
 pub mod value;
+
+pub use lobe_codegen::kernels;

@@ -234,6 +234,12 @@ pub enum Scale {
 pub struct MappingError(String);
 
 impl Mapping {
+    /// One that maps no table.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { version: 1, entries: Vec::new() }
+    }
+
     /// The mapping of Lobe's own kernels.
     ///
     /// # Errors

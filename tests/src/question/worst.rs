@@ -20,6 +20,9 @@ pub struct Worst {
     /// The permitted distance.
     #[serde(with = "float")]
     pub permitted: f64,
+    /// The command that runs it again, where that is not `lobe eval`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub again: Option<String>,
 }
 
 /// Collects the extremes over rows.
@@ -91,6 +94,7 @@ impl Worst {
             found: sample.found,
             wanted: sample.wanted,
             permitted: sample.permitted,
+            again: None,
         }
     }
 }

@@ -152,13 +152,12 @@ fn counts(answer: &Answer) -> String {
 #[must_use]
 pub fn worst_line(kernel: &str, worst: &Worst) -> String {
     let leaf = if worst.leaf.is_empty() { "result" } else { &worst.leaf };
-    format!(
-        "{leaf} is {}, wanted {} ± {}   echo '{}' | lobe eval {kernel} --args -",
-        precise(worst.found),
-        precise(worst.wanted),
-        short(worst.permitted),
-        worst.args
-    )
+    let again = match &worst.again {
+        Some(command) => command.clone(),
+        None => format!("echo '{}' | lobe eval {kernel} --args -", worst.args),
+    };
+    let (found, wanted) = (precise(worst.found), precise(worst.wanted));
+    format!("{leaf} is {found}, wanted {wanted} ± {}   {again}", short(worst.permitted))
 }
 
 /// What a run came to.
@@ -180,10 +179,15 @@ pub fn summary(report: &Report, style: Style) -> String {
              median, {most} x at 95 % of the kernels"
         );
     }
+    for part in &report.missing {
+        let _ = writeln!(out, "  missing    {part}: no report of it is there");
+    }
     let verdict = if report.holds() {
         style.paint(Paint::Good, "all holds")
     } else if tally.fall_short > 0 {
         style.paint(Paint::Bad, &format!("{} fall short", tally.fall_short))
+    } else if !report.missing.is_empty() {
+        style.paint(Paint::Bad, &format!("{} parts are missing", report.missing.len()))
     } else {
         style.paint(Paint::Bad, "nothing was asked")
     };

@@ -49,6 +49,7 @@ mod tests {
             found: f64::NAN,
             wanted: 0.1 + 0.2,
             permitted: f64::NEG_INFINITY,
+            again: None,
         };
         let falls_short = Verdict::FallsShort("1 of 10 rows".to_owned());
         let answers = vec![

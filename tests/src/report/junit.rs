@@ -18,6 +18,15 @@ pub fn render(report: &Report) -> String {
         }
         xml.add_test_suite(suite);
     }
+    if !report.missing.is_empty() {
+        let mut suite = TestSuite::new("parts");
+        for part in &report.missing {
+            let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
+            status.set_message("no report of it is there");
+            suite.add_test_case(TestCase::new(part.as_str(), status));
+        }
+        xml.add_test_suite(suite);
+    }
     xml.to_string().unwrap_or_else(|e| format!("<!-- the report cannot be written as XML: {e} -->\n"))
 }
 

@@ -1,8 +1,13 @@
-//! What a check found, for people ([`human`]), for programs ([`json`]) and for CI servers ([`junit`]).
+//! What a check found, for people ([`human`]), for programs ([`json`]) and for CI servers ([`junit`]); and how reports
+//! of parts become one ([`merge`](mod@merge)).
 
 pub mod human;
 pub mod json;
 pub mod junit;
+pub mod merge;
+pub mod part;
+
+pub use part::Part;
 
 use crate::domain::Inputs;
 use crate::perturbed::{self, Overall, Tightness};
@@ -33,10 +38,16 @@ pub struct Report {
     pub kernels: Vec<KernelReport>,
     /// Rows of tables that no kernel is mapped to, by function.
     pub unmapped: std::collections::BTreeMap<String, usize>,
+    /// Which part of a whole it is, if it is no whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<Part>,
+    /// Parts of the whole that nothing is known of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<String>,
 }
 
 /// A route that did not run.
-#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Skipped {
     /// The route.
     pub route: String,
@@ -96,6 +107,8 @@ impl Report {
             skipped: Vec::new(),
             kernels: Vec::new(),
             unmapped: Default::default(),
+            part: None,
+            missing: Vec::new(),
         }
     }
 
@@ -126,12 +139,13 @@ impl Report {
         perturbed::overall(&self.kernels)
     }
 
-    /// Whether all holds, and something was asked at all.
+    /// Whether all holds, no part is missing, and something was asked at all; a part may have had nothing to ask.
     #[must_use]
     pub fn holds(&self) -> bool {
         let tally = self.tally();
         let cases: usize = self.kernels.iter().flat_map(|k| &k.answers).map(|a| a.cases).sum();
-        tally.fall_short == 0 && tally.hold > 0 && cases > 0
+        let is_asked = self.part.is_some() || (tally.hold > 0 && cases > 0);
+        tally.fall_short == 0 && self.missing.is_empty() && is_asked
     }
 }
 
