@@ -10,6 +10,7 @@ use lobe_tests::cases::Cases;
 use lobe_tests::expectation;
 use lobe_tests::judge::{Plan, judge};
 use lobe_tests::oracle::Mapping;
+use lobe_tests::report::part::Share;
 use lobe_tests::report::{KernelReport, Report, human, json, junit};
 use lobe_tests::search::Limit;
 use std::path::PathBuf;
@@ -26,6 +27,9 @@ pub(crate) struct Args {
     /// Where the drawing begins; the same seed draws the same rows
     #[arg(long, default_value_t = 7)]
     seed: u64,
+    /// Check only a share of the kernels, as the second of three; `lobe merge` joins the JSON reports
+    #[arg(long, value_name = "2/3")]
+    partition: Option<Share>,
     /// Look for mistakes of the kernels too: division by zero, NaN out of numbers, a place outside an array, ..
     #[arg(long)]
     sanitize: bool,
@@ -58,7 +62,7 @@ pub(crate) struct Args {
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
-    let kernels = select::kernels(&args.kernels)?;
+    let mut kernels = select::kernels(&args.kernels)?;
     let mut opened = route::open(&args.routes)?;
     let cases = Cases::standard();
     let plan = Plan {
@@ -77,6 +81,11 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     };
     let mut report = Report::new("check", args.seed).with_accuracy(args.model);
     report.routes = opened.names();
+    if let Some(share) = args.partition {
+        let names = kernels.iter().map(|kernel| kernel().name.to_owned()).collect();
+        report.part = Some(share.part(names, plan.inputs));
+        kernels = kernels.into_iter().enumerate().filter(|(at, _)| share.has(*at)).map(|(_, k)| k).collect();
+    }
     let bar = output::progress(kernels.len() * plan.inputs);
     for kernel in kernels {
         bar.set_message(kernel().name);

@@ -8,6 +8,7 @@ use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
+use lobe_tests::report::merge::MergeError;
 use lobe_tests::throughput::BenchError;
 use lobe_tests::value::RowError;
 use std::path::PathBuf;
@@ -73,6 +74,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Mapping(#[from] MappingError),
     #[error(transparent)]
+    Merge(#[from] MergeError),
+    #[error(transparent)]
     Bench(#[from] BenchError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
@@ -102,6 +105,7 @@ impl Fail {
             | Self::Write { .. }
             | Self::Stdout(_)
             | Self::Expectation(_)
+            | Self::Merge(_)
             | Self::Table(_) => 2,
             Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)

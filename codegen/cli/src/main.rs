@@ -12,6 +12,7 @@ mod fail;
 mod figures;
 mod list;
 mod measure;
+mod merge;
 mod model;
 mod mutate;
 mod operations;
@@ -49,6 +50,8 @@ enum Command {
     Run(Box<run::Args>),
     /// Ask kernels the four questions: correct, robust, conformant, agree
     Check(check::Args),
+    /// Join the reports of parts: of shares of a check, or of tests that were split over machines
+    Merge(merge::Args),
     /// Judge kernels by a folder of tables of high-precision values
     Oracle(oracle::Args),
     /// Measure the worst errors that the documentation of kernels shows
@@ -80,6 +83,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Explain(args) => explain::run(args),
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::run(args),
+        Command::Merge(args) => merge::run(args),
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Mutate(args) => mutate::run(args),

@@ -2,6 +2,7 @@
 
 use crate::fail::Fail;
 use indicatif::{ProgressBar, ProgressStyle};
+use lobe_tests::files;
 use lobe_tests::report::human::Style;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
@@ -58,23 +59,5 @@ pub(crate) fn progress(rows: usize) -> ProgressBar {
 
 /// Writes a file whole or not at all.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Fail> {
-    let fail = |cause| Fail::Write { path: path.to_owned(), cause };
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
-    file.write_all(bytes).map_err(fail)?;
-    set_plain_mode(&file).map_err(fail)?;
-    file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
-}
-
-/// Temporary files are private; what we write is for others to read.
-#[cfg(unix)]
-fn set_plain_mode(file: &tempfile::NamedTempFile) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn set_plain_mode(_: &tempfile::NamedTempFile) -> std::io::Result<()> {
-    Ok(())
+    files::write(path, bytes).map_err(|cause| Fail::Write { path: path.to_owned(), cause })
 }

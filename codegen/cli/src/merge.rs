@@ -1,0 +1,31 @@
+//! `lobe merge`: one report out of parts.
+
+use crate::fail::{Fail, Outcome};
+use crate::output::{self, Format};
+use lobe_tests::report::{human, json, junit, merge};
+use std::path::PathBuf;
+
+/// Options.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Reports of `lobe check --format json`, or folders of them, as LOBE_REPORT_DIR names one for tests
+    #[arg(required = true, value_name = "DIR|FILE")]
+    paths: Vec<PathBuf>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Show the worst row of every answer, with the command that runs it again
+    #[arg(long)]
+    worst: bool,
+}
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    let report = merge::merge(merge::read(&args.paths)?)?;
+    output::print(&match args.format {
+        Format::Human => human::render(&report, human::Style { worst: args.worst, ..output::style() }),
+        Format::Json => json::render(&report),
+        Format::Junit => junit::render(&report),
+    })?;
+    Ok(if report.holds() { Outcome::Holds } else { Outcome::FellShort })
+}
