@@ -130,7 +130,7 @@ fn answers(
         hunt.run(&subject, (limit, plan.seed), routes, &mut |batch| questions.ask_of_found(batch))?;
         report.search = Some(hunt.finish(subject.def()));
     }
-    let expected = Expected::new(subject.def().name, &plan.expected, routes);
+    let expected = Expected::new(subject.def().name, &plan.expected, drivers(routes));
     let mut answers = oracle::judge_kernel(&subject, &plan.mapping, &plan.cases);
     answers.extend(questions.finish(&subject, &expected));
     if let Some(perturbed) = perturbed {
@@ -139,6 +139,11 @@ fn answers(
         report.tightness = tightness;
     }
     Ok(answers)
+}
+
+/// What the driver of each route says of itself.
+fn drivers(routes: &[Box<dyn Executor>]) -> Vec<(String, String)> {
+    routes.iter().map(|r| (r.route().to_string(), r.driver_info().to_owned())).collect()
 }
 
 /// Runs `args` on `routes`, batch by batch; the bounds of the next batch are derived meanwhile.

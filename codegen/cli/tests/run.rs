@@ -375,3 +375,103 @@ fn routes_agree_on_integers_and_say_what_is_not_judged() {
     let routes = run("b.spv", &["--route", "original@lavapipe", "--route", "wgsl+naga@lavapipe"]);
     assert!(routes.iter().all(|r| r["status"] == "equal") && routes.len() == 2, "{routes:?}");
 }
+
+/// Two buffers; one value depends on a uniform.
+const SCALED: &str = "
+    @group(0) @binding(0) var<storage, read_write> out: array<f32>;
+    @group(0) @binding(1) var<uniform> scale: f32;
+    @compute @workgroup_size(64) fn main(@builtin(local_invocation_index) i: u32) {
+        out[i] = sin(out[i]) * scale + exp2(-abs(out[i]));
+    }";
+
+#[test]
+fn a_check_asks_many_inputs_and_keeps_the_worst() {
+    let files = folder(&[("a.wgsl", SCALED.as_bytes()), ("scale.bin", &2.0_f32.to_le_bytes())]);
+    let scale = format!("scale={}", at(&files, "scale.bin"));
+    let common =
+        ["run", &at(&files, "a.wgsl"), "--input", &scale, "--check", "--inputs", "5", "--route", "interp"];
+    let said = assert_holds(&lobe(&[&common[..], &["--worst"]].concat()));
+    for part in [
+        "a.wgsl main   5 inputs",
+        "ok robust     sanitized",
+        "ok conformant perturbed",
+        "1 entry points, seed 0: all holds",
+    ] {
+        assert!(said.contains(part), "no `{part}` in {said}");
+    }
+    // The command that stands there runs that input again.
+    let command =
+        said.split_once("   lobe run ").and_then(|(_, rest)| rest.lines().next()).expect("a command");
+    assert!(command.contains(" --fill ") && command.contains("--route perturbed:"), "{command}");
+    let words = shlex::split(command).expect("words");
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let again = assert_holds(&lobe(&[&["run"], &words[..]].concat()));
+    assert!(again.contains(" within\n") && again.contains("a.wgsl main"), "{again}");
+
+    let json = assert_holds(&lobe(&[&common[..], &["--format", "json"]].concat()));
+    let report: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!((report["command"].as_str(), report["kernels"][0]["inputs"].as_u64()), (Some("run"), Some(5)));
+    assert_eq!(report["kernels"][0]["answers"][0]["cases"], 5 * 64);
+    assert_eq!(json, assert_holds(&lobe(&[&common[..], &["--format", "json"]].concat())), "the same again");
+    let other = lobe(&[&common[..], &["--format", "json", "--seed", "1"]].concat());
+    assert_ne!(json, assert_holds(&other));
+}
+
+#[test]
+fn a_check_finds_what_one_input_does_not_show() {
+    // Only where the float is subnormal does it write beyond the end.
+    let wgsl = "
+        @group(0) @binding(0) var<storage, read_write> out: array<u32>;
+        @group(0) @binding(1) var<storage, read> x: array<f32>;
+        @compute @workgroup_size(64) fn main(@builtin(local_invocation_index) i: u32) {
+            if abs(x[i]) < 1e-30 && x[i] != 0.0 { out[i + 100000u] = 1u; }
+        }";
+    let files = folder(&[("a.wgsl", wgsl.as_bytes()), ("b.wgsl", b"no shader")]);
+    let path = at(&files, "a.wgsl");
+    let plain = ["run", &path, "--sanitize", "--route", "interp"];
+    assert_holds(&lobe(&plain));
+    let check = ["--check", "--drivers", "0", "--route", "interp"];
+    let output = lobe(&[&plain[..2], &check].concat());
+    let said = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("NO robust     sanitized   OutOfBounds at 5:") && said.contains("--fill edges:1"),
+        "{said}"
+    );
+    let batch = ["run", "--batch", &files.path().display().to_string(), "--format", "junit"];
+    let output = lobe(&[&batch[..], &check].concat());
+    let xml = text(&output.stdout);
+    for part in ["a.wgsl main", "conformant interp", "invalid on 16 of 16 inputs", "OutOfBounds"] {
+        assert!(xml.contains(part), "no `{part}` in {xml}");
+    }
+}
+
+#[test]
+fn a_batch_is_a_suite_each_for_ci_servers() {
+    let files = folder(&[("a.wgsl", SCALED.as_bytes()), ("b.wgsl", b"no shader")]);
+    let batch =
+        ["run", "--batch", &files.path().display().to_string(), "--format", "junit", "--route", "judge"];
+    let output = lobe(&batch);
+    let xml = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(2), "{xml}");
+    for part in [
+        "<testsuites name=\"lobe run\" tests=\"3\" skipped=\"0\" failures=\"1\"",
+        "a.wgsl main",
+        "name=\"judge\"",
+        "invalid: ",
+    ] {
+        assert!(xml.contains(part), "no `{part}` in {xml}");
+    }
+}
+
+#[test]
+fn options_of_a_check_are_refused_without_it() {
+    let files = folder(&[("a.wgsl", SCALED.as_bytes())]);
+    let path = at(&files, "a.wgsl");
+    assert_fails(&lobe(&["run", &path, "--inputs", "5"]), 2, &["--check"]);
+    assert_fails(
+        &lobe(&["run", &path, "--fill", "x.bin"]),
+        2,
+        &["zeros, random:SEED or edges:SEED is wanted"],
+    );
+}

@@ -24,9 +24,9 @@ struct Group {
     different: usize,
     first: Option<(Worst, String)>,
     /// The routes that ran, the one that others are compared with first.
-    ran: Vec<Route>,
+    ran: Vec<String>,
     /// Those that differ from it.
-    differing: Vec<Route>,
+    differing: Vec<String>,
 }
 
 impl Agree {
@@ -114,9 +114,10 @@ impl Group {
 }
 
 /// Adds a route that is not there yet.
-fn note(routes: &mut Vec<Route>, route: &Route) {
-    if !routes.contains(route) {
-        routes.push(route.clone());
+fn note(routes: &mut Vec<String>, route: &Route) {
+    let name = route.to_string();
+    if !routes.contains(&name) {
+        routes.push(name);
     }
 }
 

@@ -82,7 +82,7 @@ impl OfRoute {
                 (Some(Fault::Beyond), Verdict::FallsShort(why))
             }
         };
-        let verdict = expected.of_route(route, fault, verdict);
+        let verdict = expected.of_route(&route.to_string(), fault, verdict);
         Answer {
             cases: self.cases,
             indeterminate: self.indeterminate,

@@ -194,8 +194,9 @@ pub fn summary(report: &Report, style: Style) -> String {
     let model = report.model.as_ref().map(|name| format!(", accuracy model {name}")).unwrap_or_default();
     let _ = writeln!(
         out,
-        "{} kernels, seed {}{model}: {verdict} ({} hold, {} expected failures, {} not asked, {} routes skipped)",
+        "{} {}, seed {}{model}: {verdict} ({} hold, {} expected failures, {} not asked, {} routes skipped)",
         report.kernels.len(),
+        if report.command == "run" { "entry points" } else { "kernels" },
         report.seed,
         tally.hold,
         tally.expected_failures,

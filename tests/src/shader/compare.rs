@@ -71,9 +71,16 @@ pub struct Compared {
     pub differing: usize,
     /// Largest distance of two floats that differ.
     pub max_ulp: u64,
+    /// Largest distance from the exact value as a share of the bound, of scalars that differ and have one.
+    #[serde(default, skip_serializing_if = "is_zero", with = "crate::question::float")]
+    pub share: f64,
     /// The first of the worst.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<Difference>,
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 /// Compares a buffer; `permit` says of the scalar at an offset what may stand there.
@@ -89,6 +96,7 @@ pub fn compare(
         scalars: 0,
         differing: 0,
         max_ulp: 0,
+        share: 0.0,
         first: None,
     };
     given.shape.visit(interp.len().min(found.len()), &mut |at, scalar, _| {
@@ -116,6 +124,11 @@ impl Compared {
         let ulp = number::is_float(scalar).then(|| number::ulps(scalar.width, ours, theirs));
         self.max_ulp = self.max_ulp.max(ulp.unwrap_or(0));
         let standing = standing(scalar, theirs, permit);
+        if let Permit::Around { exact, bound } = permit {
+            let error = (number::float(scalar.width, theirs) - exact).abs();
+            self.share =
+                self.share.max(if error == 0.0 || bound.is_infinite() { 0.0 } else { error / bound });
+        }
         if self.first.is_none() || standing > self.standing {
             self.first = Some(Difference {
                 path: path(),

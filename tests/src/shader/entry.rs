@@ -1,5 +1,6 @@
 //! One entry point: given its resources, run everywhere, compared.
 
+use super::agree;
 use super::compare::{Compared, Permit, compare};
 use super::feed::{self, Feed, Said};
 use super::given::{Given, Owned};
@@ -18,9 +19,6 @@ use lobe_codegen::ValidModule;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::foreign::{self, Override, Source};
 use std::time::Duration;
-
-/// What a resource holds of which nothing is said.
-const USUAL: Feed = Feed::Random(0);
 
 /// Means all routes to drivers that can be taken here.
 pub const READY: &str = "ready";
@@ -106,14 +104,25 @@ impl<'t, 's> Trial<'t, 's> {
             interp: machine,
         };
         let mut references = vec![Reference { subgroup: None, ours, bounds: None }];
+        let mut left = Vec::new();
         for route in self.wanted(&subject)? {
             let outcome = self.drive(&route, &subject);
             let found = match outcome {
-                Ok(found) => self.compare(&route, &subject, machine, &mut references, &found)?,
+                Ok(found) => {
+                    let compared = self.compare(&route, &subject, machine, &mut references, &found)?;
+                    left.push((route.clone(), found));
+                    compared
+                }
                 Err(why) => why,
             };
             let found = self.expected(&route, found);
             self.report.add(found);
+        }
+        if job.check {
+            let bounds = references.swap_remove(0).bounds;
+            let bounds = bounds.unwrap_or_else(|| self.bounds(&subject, machine, None));
+            self.report.outputs = Some(agree::outputs(&given, bounds.as_ref()));
+            self.report.agreements = agree::agreements(&given, &left);
         }
         self.sanitize(&subject, machine)
     }
@@ -128,7 +137,7 @@ impl<'t, 's> Trial<'t, 's> {
         }
         let mut all = Vec::new();
         for resource in resources {
-            let feed = last(&job.inputs, resource).unwrap_or(&USUAL);
+            let feed = last(&job.inputs, resource).unwrap_or(&job.usual);
             let said = Said {
                 feed,
                 size: last(&job.sizes, resource).copied(),
@@ -181,8 +190,9 @@ impl<'t, 's> Trial<'t, 's> {
     }
 
     /// What a route came to, in the light of what was expected of it.
-    fn expected(&self, route: &ShaderRoute, found: RouteReport) -> RouteReport {
+    fn expected(&self, route: &ShaderRoute, mut found: RouteReport) -> RouteReport {
         let driver = self.routes.driver_info(route);
+        found.driver = driver.to_owned();
         let mut of_one_route = self.steps.job.expected.iter().filter(|e| e.fails != Fault::Differs);
         match of_one_route.find(|e| e.is_by(&found.route, driver)) {
             Some(expectation) => found.expected(expectation),
@@ -213,12 +223,23 @@ impl<'t, 's> Trial<'t, 's> {
         let within = &self.steps.job.within;
         let compared = compare_all(subject.given, reference, within, found);
         if reference.bounds.is_none() && compared.iter().any(|c| c.differing > 0) {
-            let begun = self.steps.begin(Some(subject.entry), "bounds");
-            reference.bounds = Some(begun.ok().and_then(|()| machine.bounds(subgroup).ok()));
+            reference.bounds = Some(self.bounds(subject, machine, subgroup));
+            let within = &self.steps.job.within;
             let compared = compare_all(subject.given, reference, within, found);
             return Ok(RouteReport::compared(&route.to_string(), compared));
         }
         Ok(RouteReport::compared(&route.to_string(), compared))
+    }
+
+    /// What permitted drivers may leave, if that can be derived.
+    fn bounds(
+        &mut self,
+        subject: &Subject<'_>,
+        machine: Machine<'_>,
+        subgroup: Option<u32>,
+    ) -> Option<Bounds> {
+        let begun = self.steps.begin(Some(subject.entry), "bounds");
+        begun.ok().and_then(|()| machine.bounds(subgroup).ok())
     }
 
     /// Looks for mistakes of the program, if that is wanted, or if they may be why results differ.

@@ -1,5 +1,6 @@
 //! What resources hold when the shader starts.
 
+use super::edges;
 use super::given::Given;
 use super::json;
 use super::number;
@@ -31,6 +32,9 @@ pub enum Feed {
     /// Drawn: floats uniform in -1..1, unsigned integers in 0..64, signed ones in -32..32; atomics are 0; texels that
     /// are no floats are any bits.
     Random(u64),
+    /// Drawn: floats on the edges of their type, as zeros of both signs, subnormals, neighbours of 1, and small and large
+    /// numbers, beside ordinary ones; integers and texels as [`Feed::Random`] draws them.
+    Edges(u64),
     /// A file: JSON that follows the type of a buffer (`.json`), or else the bytes or texels themselves.
     File(PathBuf),
 }
@@ -41,12 +45,13 @@ impl FromStr for Feed {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.split_once(':') {
             _ if text == "zeros" => Ok(Self::Zeros),
-            Some(("random", seed)) => match seed.parse() {
+            Some((kind @ ("random" | "edges"), seed)) => match seed.parse() {
+                Ok(seed) if kind == "edges" => Ok(Self::Edges(seed)),
                 Ok(seed) => Ok(Self::Random(seed)),
-                Err(_) => Err(format!("`{seed}` is no seed; write random:7")),
+                Err(_) => Err(format!("`{seed}` is no seed; write {kind}:7")),
             },
-            _ if text == "random" => Err("random needs a seed; write random:7".to_owned()),
-            _ if text.is_empty() => Err("a file, zeros, or random:SEED is wanted".to_owned()),
+            _ if text == "random" || text == "edges" => Err(format!("{text} needs a seed; write {text}:7")),
+            _ if text.is_empty() => Err("a file, zeros, random:SEED or edges:SEED is wanted".to_owned()),
             _ => Ok(Self::File(PathBuf::from(text))),
         }
     }
@@ -57,6 +62,7 @@ impl std::fmt::Display for Feed {
         match self {
             Self::Zeros => f.write_str("zeros"),
             Self::Random(seed) => write!(f, "random:{seed}"),
+            Self::Edges(seed) => write!(f, "edges:{seed}"),
             Self::File(path) => write!(f, "{}", path.display()),
         }
     }
@@ -113,7 +119,9 @@ fn texels(resource: &Resource, shape: TextureShape, feed: &Feed) -> Result<Vec<u
     let size = checked(name, shape.bytes())?;
     let data = match feed {
         Feed::Zeros => vec![0; size],
-        Feed::Random(seed) => texture::drawn(shape, &mut Rng::new(*seed, &resource.place())),
+        Feed::Random(seed) | Feed::Edges(seed) => {
+            texture::drawn(shape, &mut Rng::new(*seed, &resource.place()))
+        }
         Feed::File(path) => {
             std::fs::read(path).map_err(|e| format!("{}: cannot be read: {e}", path.display()))?
         }
@@ -132,7 +140,7 @@ fn bytes(
     let (name, size) = (&resource.name, said.size);
     let mut bytes = match said.feed {
         Feed::File(path) => read(name, shape, least, path)?,
-        Feed::Zeros | Feed::Random(_) => {
+        Feed::Zeros | Feed::Random(_) | Feed::Edges(_) => {
             vec![0; checked(name, size.unwrap_or_else(|| usual(shape, least, invocations)))?]
         }
     };
@@ -144,8 +152,10 @@ fn bytes(
         return Err(format!("`{name}`: the file's {} bytes are more than the size of {size}", bytes.len()));
     }
     bytes.resize(size, 0);
-    if let Feed::Random(seed) = said.feed {
-        draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes);
+    match said.feed {
+        Feed::Random(seed) => draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes, number),
+        Feed::Edges(seed) => draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes, edges::number),
+        Feed::Zeros | Feed::File(_) => {}
     }
     Ok(bytes)
 }
@@ -176,7 +186,7 @@ fn read(name: &str, shape: &Shape, least: usize, path: &Path) -> Result<Vec<u8>,
     json::bytes(name, shape, least, &value).map_err(|e| told(&e))
 }
 
-fn draw(shape: &Shape, rng: &mut Rng, bytes: &mut [u8]) {
+fn draw(shape: &Shape, rng: &mut Rng, bytes: &mut [u8], number: fn(Scalar, &mut Rng) -> Vec<u8>) {
     let end = bytes.len();
     shape.visit(end, &mut |at, scalar, is_atomic| {
         if !is_atomic {
@@ -186,7 +196,8 @@ fn draw(shape: &Shape, rng: &mut Rng, bytes: &mut [u8]) {
     });
 }
 
-fn number(scalar: Scalar, rng: &mut Rng) -> Vec<u8> {
+/// An ordinary number.
+pub(super) fn number(scalar: Scalar, rng: &mut Rng) -> Vec<u8> {
     match scalar.kind {
         ScalarKind::Float => number::float_bytes(scalar.width, rng.range(-1.0, 1.0)),
         ScalarKind::Sint => (rng.below(64) as i64 - 32).to_le_bytes()[..usize::from(scalar.width)].to_vec(),
@@ -200,10 +211,10 @@ mod tests {
 
     #[test]
     fn feeds_are_spelt_as_they_print() {
-        for text in ["zeros", "random:7", "data.bin", "a/b.json"] {
+        for text in ["zeros", "random:7", "edges:7", "data.bin", "a/b.json"] {
             assert_eq!(text.parse::<Feed>().map(|f| f.to_string()), Ok(text.to_owned()));
         }
-        for text in ["random", "random:", "random:x", ""] {
+        for text in ["random", "random:", "random:x", "edges", "edges:-1", ""] {
             assert!(text.parse::<Feed>().is_err(), "{text}");
         }
     }

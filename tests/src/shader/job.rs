@@ -17,6 +17,9 @@ pub struct Job {
     pub workgroups: [u32; 3],
     /// What buffers and textures hold, by name or `group:binding`.
     pub inputs: Vec<(String, Feed)>,
+    /// What resources hold of which nothing is said.
+    #[serde(default = "usual")]
+    pub usual: Feed,
     /// Where the interpreter's results go.
     pub outputs: Vec<(String, PathBuf)>,
     /// Bytes of buffers.
@@ -40,12 +43,62 @@ pub struct Job {
     pub fuel: u64,
     /// Seconds that each step may take.
     pub timeout: u64,
+    /// Whether it is part of a [check](super::check): the bounds of all outputs are derived, and what routes to one driver
+    /// leave is compared with each other.
+    #[serde(default)]
+    pub check: bool,
     /// Faults of routes that are known.
     #[serde(default)]
     pub expected: Vec<Expectation>,
     /// Steps that are known to end badly, from runs before.
     #[serde(default)]
     pub given_up: Vec<GivenUp>,
+}
+
+/// Rounds of loops, unless said otherwise.
+pub const FUEL: u64 = 1 << 22;
+
+/// Seconds of each step, unless said otherwise.
+pub const TIMEOUT: u64 = 20;
+
+impl Job {
+    /// A job of which nothing else is said.
+    #[must_use]
+    pub fn new(file: PathBuf, entry: Entry) -> Self {
+        Self {
+            file,
+            entry,
+            workgroups: [1; 3],
+            inputs: Vec::new(),
+            usual: usual(),
+            outputs: Vec::new(),
+            sizes: Vec::new(),
+            textures: Vec::new(),
+            samplers: Vec::new(),
+            within: Vec::new(),
+            sanitize: false,
+            overrides: Vec::new(),
+            routes: Vec::new(),
+            model: None,
+            fuel: FUEL,
+            timeout: TIMEOUT,
+            check: false,
+            expected: Vec::new(),
+            given_up: Vec::new(),
+        }
+    }
+
+    /// What expectations call the shader: its file's name without the ending.
+    #[must_use]
+    pub fn stem(&self) -> String {
+        self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+}
+
+/// What a resource holds of which nothing is said.
+#[must_use]
+pub fn usual() -> Feed {
+    Feed::Random(0)
 }
 
 /// Which entry points to run.

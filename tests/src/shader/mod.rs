@@ -8,7 +8,11 @@
 //! - [`serve`] runs jobs in a process of their own, [`supervise`](mod@supervise) watches over such processes: a shader
 //!   that crashes a driver, or never ends, costs one line of the report.
 
+mod agree;
+pub mod check;
+mod command;
 pub mod compare;
+mod edges;
 mod entry;
 pub mod feed;
 pub mod given;

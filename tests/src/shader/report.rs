@@ -73,6 +73,32 @@ pub struct Report {
     pub findings: Vec<Mistake>,
     /// What came of each route.
     pub routes: Vec<RouteReport>,
+    /// Scalars that the shader may write, where that was asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outputs: Option<Outputs>,
+    /// How the routes to each driver stand to each other, where that was asked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub agreements: Vec<Agreement>,
+}
+
+/// Scalars that a shader may write.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Outputs {
+    /// How many.
+    pub scalars: usize,
+    /// Those that nothing says of what they may be.
+    pub indeterminate: usize,
+}
+
+/// What routes to one driver left, bit for bit.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Agreement {
+    /// The driver.
+    pub driver: String,
+    /// The routes that left something; the others are compared with the first.
+    pub routes: Vec<String>,
+    /// Those that differ from it, with the first buffer in which they do.
+    pub differing: Vec<(String, Compared)>,
 }
 
 /// A mistake of the program, where it showed.
@@ -105,6 +131,9 @@ pub struct Input {
 pub struct RouteReport {
     /// Its name.
     pub route: String,
+    /// What its driver says of itself.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub driver: String,
     /// How it ended.
     pub status: RouteStatus,
     /// Why there is no comparison.
@@ -182,14 +211,23 @@ impl RouteReport {
     /// A route that gave nothing to compare.
     #[must_use]
     pub fn without(route: &str, status: RouteStatus, message: String) -> Self {
-        Self { route: route.to_owned(), status, message: Some(message), expected: None, buffers: Vec::new() }
+        let driver = String::new();
+        Self {
+            route: route.to_owned(),
+            driver,
+            status,
+            message: Some(message),
+            expected: None,
+            buffers: Vec::new(),
+        }
     }
 
     /// A route that left these buffers.
     #[must_use]
     pub fn compared(route: &str, buffers: Vec<Compared>) -> Self {
         let worst = buffers.iter().map(|b| b.standing).max().unwrap_or(Standing::Equal);
-        Self { route: route.to_owned(), status: worst.into(), message: None, expected: None, buffers }
+        let (route, driver) = (route.to_owned(), String::new());
+        Self { route, driver, status: worst.into(), message: None, expected: None, buffers }
     }
 
     /// The same in the light of what was expected.
@@ -221,6 +259,17 @@ impl Report {
             inputs: Vec::new(),
             findings: Vec::new(),
             routes: Vec::new(),
+            outputs: None,
+            agreements: Vec::new(),
+        }
+    }
+
+    /// The file, and the entry point if there is one.
+    #[must_use]
+    pub fn subject(&self) -> String {
+        match &self.entry {
+            Some(entry) => format!("{} {entry}", self.file),
+            None => self.file.clone(),
         }
     }
 

@@ -1,11 +1,13 @@
 //! `lobe run`: somebody's own compute shader, on the interpreter and on every GPU route.
 
+mod check;
+mod junit;
 mod list;
 mod options;
 mod text;
 
 use crate::fail::{Fail, Outcome};
-use crate::output::{self, ListFormat};
+use crate::output::{self, Format};
 use lobe_tests::expectation::{self, Expectation};
 use lobe_tests::shader::job::{Entry, Job};
 use lobe_tests::shader::report::{Report, Status};
@@ -31,8 +33,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
     /// Form of the report
-    #[arg(long, value_enum, default_value_t = ListFormat::Human)]
-    format: ListFormat,
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    #[command(flatten)]
+    check: check::CheckArgs,
     /// Take jobs from standard input, for a `lobe run` that watches over this one
     #[arg(long, hide = true)]
     serve: bool,
@@ -40,7 +44,8 @@ pub(crate) struct Args {
 
 const HELP: &str = "\
 Each buffer that the entry point uses is filled as --input says, else with random:0. \
-random:SEED draws floats from -1..1, u32 from 0..64 and i32 from -32..32; atomics start at 0. \
+random:SEED draws floats from -1..1, u32 from 0..64 and i32 from -32..32; edges:SEED draws floats on the edges of \
+their type (zeros, subnormals, neighbours of 1, small and large numbers) and integers alike; atomics start at 0. \
 FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1.8p3\", \"nan\", \"inf\"), \
 or else the bytes themselves. \
 A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
@@ -53,6 +58,10 @@ Lines of a shader's text that begin with `// lobe: ` hold options for it; the co
 
 A batch runs every compute entry point of a file that names none. In a list, what a line says wins over \
 what the command line says; empty lines and lines that begin with # are passed over.
+
+A check asks whether every route is within the derived bound on every input (conformant), whether routes to one \
+driver are equal bit for bit or both within the bound (agree), and for mistakes of the program; it counts the outputs that have no bound, \
+and keeps the worst input with the command that runs it again. What --input names stays the same in all of them.
 
 Results: ok, or differs (by more than is permitted), unjudged (floats differ, and no bound says by how much they may), \
 findings (the program does something wrong), refused (the interpreter does not execute something), \
@@ -77,7 +86,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         let all = expectation::read(file)?;
         jobs.iter_mut().for_each(|job| job.expected = of(&job.file, &all));
     }
-    report(args, &jobs)
+    if args.check.check { check::run(args, &jobs) } else { report(args, &jobs) }
 }
 
 /// Those of `all` that are about a shader.
@@ -108,16 +117,21 @@ fn check_routes(jobs: &[Job]) -> Result<(), Fail> {
 fn report(args: &Args, jobs: &[Job]) -> Result<Outcome, Fail> {
     let mut tally = BTreeMap::new();
     let mut broken = Ok(());
+    let mut all = Vec::new();
     supervise::supervise(&plan(args)?, jobs, &mut |_, reports| {
         for report in reports {
             *tally.entry(report.status).or_insert(0) += 1;
-            if broken.is_ok() {
+            if args.format == Format::Junit {
+                all.push(report);
+            } else if broken.is_ok() {
                 broken = print(args, &report);
             }
         }
     });
     broken?;
-    if args.batch.is_some() {
+    if args.format == Format::Junit {
+        output::print(&junit::render(&all))?;
+    } else if args.batch.is_some() {
         output::print(&text::summary(&tally, args.format))?;
     }
     Ok(outcome(&tally))
@@ -126,20 +140,18 @@ fn report(args: &Args, jobs: &[Job]) -> Result<Outcome, Fail> {
 fn plan(args: &Args) -> Result<supervise::Plan, Fail> {
     let program = std::env::current_exe().map_err(|cause| Fail::Read { path: "lobe".into(), cause })?;
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let workers = match (&args.batch, args.jobs) {
-        (None, _) => 1,
-        (Some(_), jobs) => jobs.map_or(processors, usize::from),
-    };
+    let is_many = args.batch.is_some() || args.check.check;
+    let workers = if is_many { args.jobs.map_or(processors, usize::from) } else { 1 };
     let arguments = ["run", "--serve"].map(str::to_owned).to_vec();
-    let threads = args.batch.as_ref().map(|_| (processors / workers).max(1));
+    let threads = is_many.then(|| (processors / workers).max(1));
     Ok(supervise::Plan { program, arguments, workers, threads })
 }
 
 fn print(args: &Args, report: &Report) -> Result<(), Fail> {
     match (args.format, &args.batch) {
-        (ListFormat::Json, _) => output::print(&text::json(report)),
-        (ListFormat::Human, Some(_)) => output::print(&text::line(report)),
-        (ListFormat::Human, None) => output::print(&text::whole(report)),
+        (Format::Json | Format::Junit, _) => output::print(&text::json(report)),
+        (Format::Human, Some(_)) => output::print(&text::line(report)),
+        (Format::Human, None) => output::print(&text::whole(report)),
     }
 }
 

@@ -3,15 +3,9 @@
 use crate::model;
 use lobe_codegen::accuracy::Model;
 use lobe_tests::shader::feed::Feed;
-use lobe_tests::shader::job::{Entry, Job};
+use lobe_tests::shader::job::{Entry, FUEL, Job, TIMEOUT, usual};
 use lobe_tests::shader::texture::{SamplerWords, Sketch};
 use std::path::PathBuf;
-
-/// Rounds of loops, unless said otherwise.
-const FUEL: u64 = 1 << 22;
-
-/// Seconds of each step, unless said otherwise.
-const TIMEOUT: u64 = 20;
 
 /// What is asked of one shader.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -24,9 +18,12 @@ pub(super) struct JobArgs {
     /// Workgroups along each axis [default: 1,1,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
     workgroups: Option<[u32; 3]>,
-    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`) = FILE, zeros or random:SEED
-    #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED", value_parser = named::<Feed>)]
+    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`) = FILE, zeros, random:SEED or edges:SEED
+    #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED|edges:SEED", value_parser = named::<Feed>)]
     inputs: Vec<(String, Feed)>,
+    /// What every buffer and texture holds that --input does not name [default: random:0]
+    #[arg(long, value_name = "zeros|random:SEED|edges:SEED", value_parser = drawn)]
+    fill: Option<Feed>,
     /// Write what the interpreter leaves in a buffer to FILE, as bytes or as .json
     #[arg(long = "output", value_name = "NAME=FILE", value_parser = named::<PathBuf>)]
     outputs: Vec<(String, PathBuf)>,
@@ -66,10 +63,9 @@ impl JobArgs {
     /// The job for `file`; `entries` if no entry point is named.
     pub(super) fn job(&self, file: PathBuf, entries: Entry) -> Job {
         Job {
-            file,
-            entry: self.entry.clone().map_or(entries, Entry::Named),
             workgroups: self.workgroups.unwrap_or([1; 3]),
             inputs: self.inputs.clone(),
+            usual: self.fill.clone().unwrap_or_else(usual),
             outputs: self.outputs.clone(),
             sizes: self.sizes.clone(),
             textures: self.textures.clone(),
@@ -81,8 +77,7 @@ impl JobArgs {
             routes: self.routes.clone(),
             fuel: self.fuel.unwrap_or(FUEL),
             timeout: self.timeout.unwrap_or(TIMEOUT),
-            expected: Vec::new(),
-            given_up: Vec::new(),
+            ..Job::new(file, self.entry.clone().map_or(entries, Entry::Named))
         }
     }
 
@@ -98,6 +93,7 @@ impl JobArgs {
             file: self.file,
             entry: self.entry.or_else(|| common.entry.clone()),
             workgroups: self.workgroups.or(common.workgroups),
+            fill: self.fill.or_else(|| common.fill.clone()),
             inputs: [common.inputs.clone(), self.inputs].concat(),
             outputs: [common.outputs.clone(), self.outputs].concat(),
             sizes: [common.sizes.clone(), self.sizes].concat(),
@@ -123,6 +119,16 @@ where
     let (name, value) = text.split_once('=').ok_or("it has no `=` between a name and a value")?;
     let value = value.parse().map_err(|e: T::Err| e.to_string())?;
     Ok((name.to_owned(), value))
+}
+
+/// What is drawn, and no file.
+fn drawn(text: &str) -> Result<Feed, String> {
+    match text.parse()? {
+        Feed::File(_) => {
+            Err("zeros, random:SEED or edges:SEED is wanted; --input NAME=FILE names files".to_owned())
+        }
+        feed => Ok(feed),
+    }
 }
 
 fn workgroups(text: &str) -> Result<[u32; 3], String> {

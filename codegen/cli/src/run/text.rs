@@ -1,6 +1,6 @@
 //! Reports of runs, for people and for programs.
 
-use crate::output::ListFormat;
+use crate::output::Format;
 use lobe_tests::shader::compare::Compared;
 use lobe_tests::shader::report::{Mistake, Report, RouteReport, Status};
 use serde_json::json;
@@ -13,7 +13,7 @@ pub(super) fn json(report: &Report) -> String {
 
 /// A report as a line.
 pub(super) fn line(report: &Report) -> String {
-    let mut text = format!("{:8} {}", report.status.name(), subject(report));
+    let mut text = format!("{:8} {}", report.status.name(), report.subject());
     if let Some(message) = &report.message {
         text += &format!(": {}", brief(message));
     }
@@ -52,12 +52,12 @@ fn brief(message: &str) -> String {
 pub(super) fn whole(report: &Report) -> String {
     if report.inputs.is_empty() && report.routes.is_empty() {
         let message = report.message.as_deref().unwrap_or_default();
-        return format!("{}: {}\n{message}\n", subject(report), report.status.name());
+        return format!("{}: {}\n{message}\n", report.subject(), report.status.name());
     }
     let size = |sides: [u32; 3]| sides.map(|n| n.to_string()).join("x");
     let mut text = format!(
         "{}: {} workgroups of {} invocations{}\n",
-        subject(report),
+        report.subject(),
         size(report.workgroups),
         size(report.workgroup_size),
         report.model.as_ref().map(|name| format!(", accuracy model {name}")).unwrap_or_default()
@@ -74,13 +74,6 @@ pub(super) fn whole(report: &Report) -> String {
     text + &format!("{}{message}\n", report.status.name())
 }
 
-fn subject(report: &Report) -> String {
-    match &report.entry {
-        Some(entry) => format!("{} {entry}", report.file),
-        None => report.file.clone(),
-    }
-}
-
 fn one(route: &RouteReport) -> String {
     let mut text = format!("  {:22} {}", route.route, route.status.name());
     if let Some(reason) = &route.expected {
@@ -95,7 +88,7 @@ fn one(route: &RouteReport) -> String {
     text + "\n"
 }
 
-fn mistake(found: &Mistake) -> String {
+pub(super) fn mistake(found: &Mistake) -> String {
     let at = found.at.map(|(line, column)| format!(" at {line}:{column}")).unwrap_or_default();
     format!("finding {}{at}: {}", found.kind, found.message)
 }
@@ -105,7 +98,7 @@ fn is_worth(compared: &Compared) -> bool {
     compared.differing > 0
 }
 
-fn buffer(compared: &Compared) -> String {
+pub(super) fn buffer(compared: &Compared) -> String {
     let Compared { buffer, scalars, differing, max_ulp, .. } = compared;
     let Some(first) = &compared.first else {
         return format!("{buffer}: {scalars} scalars equal");
@@ -120,14 +113,14 @@ fn buffer(compared: &Compared) -> String {
 }
 
 /// How many ended how.
-pub(super) fn summary(tally: &BTreeMap<Status, usize>, format: ListFormat) -> String {
+pub(super) fn summary(tally: &BTreeMap<Status, usize>, format: Format) -> String {
     let runs: usize = tally.values().sum();
     match format {
-        ListFormat::Json => {
+        Format::Json | Format::Junit => {
             let counts: BTreeMap<&str, usize> = tally.iter().map(|(s, n)| (s.name(), *n)).collect();
             format!("{}\n", json!({ "summary": { "runs": runs, "counts": counts } }))
         }
-        ListFormat::Human => {
+        Format::Human => {
             let counts: Vec<String> = tally.iter().map(|(s, n)| format!("{n} {}", s.name())).collect();
             format!("{runs} runs: {}\n", counts.join(", "))
         }
