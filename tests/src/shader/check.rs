@@ -107,6 +107,18 @@ mod tests {
         }
     }
 
+    /// It is known of such a driver.
+    fn fault(driver: &str) -> Expectation {
+        Expectation {
+            subject: "blur".to_owned(),
+            route: ROUTE.to_owned(),
+            driver: Some(driver.to_owned()),
+            fails: Fault::Beyond,
+            reason: "it blurs".to_owned(),
+            link: None,
+        }
+    }
+
     /// A report in which one route left this.
     fn report(route: RouteReport) -> Report {
         let mut report =
@@ -137,11 +149,13 @@ mod tests {
 
     #[test]
     fn inputs_take_turns_and_keep_what_the_user_says() {
-        let runs = runs(&job(), Extent { inputs: 5, drivers: 2, seed: 7 });
+        let job = Job { expected: vec![fault("")], ..job() };
+        let runs = runs(&job, Extent { inputs: 5, drivers: 2, seed: 7 });
         let usual: Vec<String> = runs.iter().map(|run| run.usual.to_string()).collect();
         assert_eq!(usual, ["random:7", "edges:8", "zeros", "edges:10", "random:11"]);
         assert_eq!(runs[1].routes, ["ready", "perturbed:16", "perturbed:17"]);
-        assert!(runs.iter().all(|run| run.inputs == job().inputs && run.sanitize && run.check));
+        assert!(runs.iter().all(|run| run.inputs == job.inputs && run.sanitize && run.check));
+        assert!(runs.iter().all(|run| run.expected.is_empty()), "it is asked of all together");
     }
 
     #[test]
@@ -164,14 +178,6 @@ mod tests {
 
     #[test]
     fn what_is_expected_is_asked_of_all_inputs_together() {
-        let fault = |driver: &str| Expectation {
-            subject: "blur".to_owned(),
-            route: ROUTE.to_owned(),
-            driver: Some(driver.to_owned()),
-            fails: Fault::Beyond,
-            reason: "it blurs".to_owned(),
-            link: None,
-        };
         let verdict = |driver: &str, share: f64| {
             let standing = if share > 1.0 { Standing::Beyond } else { Standing::Within };
             let job = Job { expected: vec![fault(driver)], ..job() };

@@ -10,7 +10,7 @@ use super::machine::{self, Bounds, Machine, MachineError};
 use super::number;
 use super::report::{Input, Report, RouteReport, RouteStatus, Status};
 use super::resource::{self, Resource};
-use super::routes::{Routes, ShaderRoute, Subject};
+use super::routes::{Failure, Routes, ShaderRoute, Subject};
 use super::run::{Res, Steps, Stop, stop};
 use super::texture;
 use crate::expectation::Fault;
@@ -113,7 +113,7 @@ impl<'t, 's> Trial<'t, 's> {
                     left.push((route.clone(), found));
                     compared
                 }
-                Err(why) => why,
+                Err(Failure { status, message }) => RouteReport::without(&route.to_string(), status, message),
             };
             let found = self.expected(&route, found);
             self.report.add(found);
@@ -173,20 +173,20 @@ impl<'t, 's> Trial<'t, 's> {
     }
 
     /// What `route` leaves, or why it leaves nothing.
-    fn drive(&mut self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<Vec<Vec<u8>>, RouteReport> {
-        let name = route.to_string();
-        let without = |status, message| Err(RouteReport::without(&name, status, message));
-        if let Err(GivenUp { status, message, .. }) = self.steps.begin(Some(subject.entry), &name) {
+    fn drive(&mut self, route: &ShaderRoute, subject: &Subject<'_>) -> Result<Vec<Vec<u8>>, Failure> {
+        let begun = self.steps.begin(Some(subject.entry), &route.to_string());
+        if let Err(GivenUp { status, message, .. }) = begun {
             let is_late = status == Status::Timeout;
-            return without(if is_late { RouteStatus::Timeout } else { RouteStatus::Crashed }, message);
+            return Err(Failure {
+                status: if is_late { RouteStatus::Timeout } else { RouteStatus::Crashed },
+                message,
+            });
         }
         // Who watches over this process ends the step before its driver is given up here.
         let timeout = Duration::from_secs(self.steps.job.timeout.saturating_mul(2));
-        match lobe_codegen::quietly(|| self.routes.run(route, subject, timeout)) {
-            Ok(Ok(found)) => Ok(found),
-            Ok(Err(failure)) => without(failure.status, failure.message),
-            Err(message) => without(RouteStatus::Crashed, format!("panicked: {message}")),
-        }
+        let crashed =
+            |message| Failure { status: RouteStatus::Crashed, message: format!("panicked: {message}") };
+        lobe_codegen::quietly(|| self.routes.run(route, subject, timeout)).map_err(crashed)?
     }
 
     /// What a route came to, in the light of what was expected of it.
