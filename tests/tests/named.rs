@@ -73,8 +73,8 @@ fn a_failure_says_what_lobe_check_says_and_how_to_run_it_again() {
         "NO robust",
         "the bound exceeds the budget on",
         "result is ",
-        "echo '{\"x\":\"0x1.",
-        "cases/cancels.jsonl && cargo test -p mine check::cancels::robust",
+        "mkdir -p tests/cases && echo '{\"x\":\"0x1.",
+        " >> tests/cases/cancels.jsonl && cargo test -p mine check::cancels::robust",
     ] {
         assert!(failure.contains(part), "no `{part}` in {failure}");
     }
@@ -100,6 +100,23 @@ fn a_missing_driver_is_told_and_asks_nothing() {
     let report = report.expect("a report");
     assert_eq!((report.kernels.len(), report.skipped[0].route.as_str()), (0, "spirv@no-such-card"));
     assert!(report.skipped[0].what.contains("no Vulkan driver `no-such-card`"), "{report:?}");
+}
+
+#[test]
+fn rows_and_known_faults_of_the_package_are_taken() {
+    let package = tempfile::tempdir().expect("a folder").keep();
+    let folder: &'static str = package.display().to_string().leak();
+    let cases = package.join("tests").join("cases");
+    std::fs::create_dir_all(&cases).expect("writable");
+    std::fs::write(cases.join("doubled.jsonl"), "{\"x\": 3}\n{\"x\": \"0x1p-3\"}\n").expect("writable");
+    let fault = "[[expected]]\nsubject = 'doubled'\nroute = 'interp'\nfails = 'beyond'\nreason = 'none'\n";
+    std::fs::write(cases.join("expectations.toml"), fault).expect("writable");
+    let tests = Tests { folder, ..tests(BOTH, Options::new().inputs(100)) };
+    let native = tests.report(DOUBLED, "native").expect("a report");
+    assert_eq!((native.kernels[0].inputs, native.kernels[0].listed, native.holds()), (102, 2, true));
+    let interp = format!("{:?}", tests.run(DOUBLED, "interp").expect_err("a fault that is gone"));
+    assert!(interp.contains("not beyond as expected (none): the expectation has to go"), "{interp}");
+    std::fs::remove_dir_all(package).expect("removable");
 }
 
 #[test]

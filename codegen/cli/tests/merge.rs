@@ -52,7 +52,7 @@ fn nextest(reports: &Path, options: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO"));
     command
         .current_dir(root)
-        .args(["nextest", "run", "--offline", "-p", "own-kernels"])
+        .args(["nextest", "run", "--offline", "--workspace", "--test", "kernels"])
         .args(profile)
         .args(options);
     command.env("LOBE_REPORT_DIR", reports).env_remove("LOBE_REQUIRE_TOOLS").output().expect("cargo runs")

@@ -90,7 +90,7 @@ impl Opened {
             let opened = match route {
                 Route::Native => Ok(Box::new(Native) as Box<dyn Executor>),
                 Route::Interp => Ok(Box::new(Interp) as Box<dyn Executor>),
-                Route::Gpu { .. } => machine.open(&here(route, &machine)),
+                Route::Gpu { .. } => open(route, &machine),
             };
             match opened {
                 Ok(executor) => self.executors.push(executor),
@@ -104,14 +104,19 @@ impl Opened {
     }
 }
 
-/// The same, with the name of the first driver of hardware where that is meant.
-fn here(route: Route, machine: &Machine) -> Route {
-    let hardware = machine.drivers().iter().find(|driver| !driver.is_software);
-    match (route, hardware) {
-        (Route::Gpu { road, driver }, Some(found)) if driver == HARDWARE => {
-            Route::Gpu { road, driver: found.name.clone() }
-        }
-        (route, _) => route,
+/// Opens `route`, by the first driver of hardware where that is meant.
+fn open(route: Route, machine: &Machine) -> Result<Box<dyn Executor>, OpenError> {
+    let Route::Gpu { road, driver } = route else { return machine.open(&route) };
+    if driver != HARDWARE {
+        return machine.open(&Route::Gpu { road, driver });
+    }
+    match machine.drivers().iter().find(|driver| !driver.is_software) {
+        Some(found) => machine.open(&Route::Gpu { road, driver: found.name.clone() }),
+        None => Err(OpenError::Missing {
+            route: Route::Gpu { road, driver },
+            what: "no Vulkan driver of hardware was found".to_owned(),
+            mend: "install your graphics card's, or leave its tests out with `routes = [..]`".to_owned(),
+        }),
     }
 }
 

@@ -16,7 +16,7 @@ use crate::report::part::Whole;
 use crate::report::{KernelReport, Part, Report, Skipped, human, json};
 use asked::Asked;
 use lobe_codegen::def::FunctionRef;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Names the folder that tests leave their parts of the report in, for `lobe merge`.
 pub const REPORT_DIR: &str = "LOBE_REPORT_DIR";
@@ -222,15 +222,15 @@ impl Tests {
         Part { whole, name: format!("{kernel}::{test}"), inputs: self.options.inputs }
     }
 
-    /// The command that lists a row, so that it is always taken, and runs the test again.
+    /// The command, for the package's folder, that lists a row, so that it is always taken, and runs the test again.
     fn again(&self, kernel: &str, test: &str, args: &serde_json::Value) -> String {
         let module = self.module.split_once("::").map_or("", |(_, module)| module);
-        let rows = Cases::of_package(self.folder).rows(kernel);
-        format!(
-            "echo '{args}' >> {} && cargo test -p {} {module}::{kernel}::{test}",
-            rows.display(),
-            self.package
-        )
+        let cases = Cases::of_package(self.folder);
+        // The same on every machine, wherever the package lies there.
+        let near = |path: &Path| path.strip_prefix(self.folder).unwrap_or(path).display().to_string();
+        let (folder, rows) = (near(cases.folder()), near(&cases.rows(kernel)));
+        let again = format!("cargo test -p {} {module}::{kernel}::{test}", self.package);
+        format!("mkdir -p {folder} && echo '{args}' >> {rows} && {again}")
     }
 
     /// Says aloud, past the capture of test runners, that a route is missing.
