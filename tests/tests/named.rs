@@ -159,6 +159,9 @@ fn parts_that_are_not_of_one_run_are_refused_and_missing_ones_told() {
 
     let of = |options: Options| tests(BOTH, options).report(DOUBLED, "interp").expect("a report");
     let other_version = Report { version: "0.0.9".to_owned(), ..report(DOUBLED, "interp") };
+    let drivers = [("card".to_owned(), "25.1".to_owned())].into();
+    let other_driver = Report { drivers, ..report(DOUBLED, "interp") };
+    let native = Report { drivers: [("card".to_owned(), "25.0".to_owned())].into(), ..native };
     let mut changed = native.clone();
     changed.kernels[0].answers[0].cases += 1;
     for (other, why) in [
@@ -166,6 +169,7 @@ fn parts_that_are_not_of_one_run_are_refused_and_missing_ones_told() {
         (of(Options::new().inputs(500).seed(8)), "a has seed 7, b has 8"),
         (of(Options::new().inputs(500).model("vulkan")), "a has accuracy model portable, b has vulkan"),
         (other_version, "b has 0.0.9"),
+        (other_driver, "a has driver 25.0, b has 25.1"),
         (changed, "a and b are both the part doubled::native and differ"),
     ] {
         let refused = merge::merge(vec![named("a", native.clone()), named("b", other)]);

@@ -79,8 +79,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         drivers: args.perturbed as usize,
         search: args.search.map(|seconds| Limit::Time(Duration::from_secs(seconds))),
     };
-    let mut report = Report::new("check", args.seed).with_accuracy(args.model);
-    report.routes = opened.names();
+    let mut report = Report::new("check", args.seed).with_accuracy(args.model).with_routes(&opened.executors);
     if let Some(share) = args.partition {
         let names = kernels.iter().map(|kernel| kernel().name.to_owned()).collect();
         report.part = Some(share.part(names, plan.inputs));

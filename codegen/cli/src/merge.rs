@@ -1,8 +1,9 @@
 //! `lobe merge`: one report out of parts.
 
+use crate::check::finish;
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, Format};
-use lobe_tests::report::{human, json, junit, merge};
+use lobe_tests::report::{human, merge};
 use std::path::PathBuf;
 
 /// Options.
@@ -22,10 +23,9 @@ pub(crate) struct Args {
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let report = merge::merge(merge::read(&args.paths)?)?;
-    output::print(&match args.format {
-        Format::Human => human::render(&report, human::Style { worst: args.worst, ..output::style() }),
-        Format::Json => json::render(&report),
-        Format::Junit => junit::render(&report),
-    })?;
-    Ok(if report.holds() { Outcome::Holds } else { Outcome::FellShort })
+    if args.format == Format::Human {
+        let style = human::Style { worst: args.worst, ..output::style() };
+        report.kernels.iter().try_for_each(|kernel| output::print(&human::render_kernel(kernel, style)))?;
+    }
+    finish(&report, args.format)
 }

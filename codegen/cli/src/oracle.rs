@@ -37,8 +37,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     };
     let paths = table::list(&args.folder)?;
     let mut opened = route::open(&args.routes)?;
-    let mut report = Report::new("oracle", 0);
-    report.routes = opened.names();
+    let mut report = Report::new("oracle", 0).with_routes(&opened.executors);
     for path in paths {
         let found = judge_table(&table::read(&path)?, &mapping, &select::find, &mut opened.executors);
         report.unmapped.extend(found.unmapped);

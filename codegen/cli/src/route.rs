@@ -73,9 +73,4 @@ impl Opened {
         }
         Ok(())
     }
-
-    /// Names of the opened routes.
-    pub(crate) fn names(&self) -> Vec<String> {
-        self.executors.iter().map(|e| e.route().to_string()).collect()
-    }
 }

@@ -191,9 +191,9 @@ impl Tests {
             search: None,
         };
         let mut opened = asked.open(self.routes)?;
-        let mut report = Report::new("check", plan.seed).with_accuracy(plan.accuracy);
+        let report = Report::new("check", plan.seed).with_accuracy(plan.accuracy);
+        let mut report = report.with_routes(&opened.executors);
         report.part = Some(self.part(kernel().name, test));
-        report.routes = opened.executors.iter().map(|e| e.route().to_string()).collect();
         let is_run = opened.skipped.is_empty() || !opened.executors.is_empty();
         report.skipped = opened.skipped;
         if is_run {

@@ -132,7 +132,28 @@ fn agree(reports: &[(String, Report)]) -> Result<(), MergeError> {
         ("accuracy model", |r| r.model.clone().unwrap_or_else(|| "portable".to_owned())),
     ];
     let mut pairs = reports.iter().zip(reports.iter().skip(1));
-    pairs.try_for_each(|(one, other)| all.iter().try_for_each(|(what, say)| same(what, *say, one, other)))
+    pairs.try_for_each(|(one, other)| all.iter().try_for_each(|(what, say)| same(what, *say, one, other)))?;
+    same_drivers(reports)
+}
+
+/// Whether all speak of the same drivers by the same names.
+fn same_drivers(reports: &[(String, Report)]) -> Result<(), MergeError> {
+    let mut known: BTreeMap<&str, (&str, &str)> = BTreeMap::new();
+    for (file, report) in reports {
+        for (driver, words) in &report.drivers {
+            let &mut (first, one) = known.entry(driver).or_insert((file, words));
+            if one != words {
+                return Err(MergeError::Disagree {
+                    what: "driver",
+                    first: first.to_owned(),
+                    one: one.to_owned(),
+                    second: file.clone(),
+                    other: words.clone(),
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 fn same(
@@ -186,6 +207,7 @@ impl Report {
         let new = |route: &String| !self.routes.contains(route);
         let routes: Vec<String> = report.routes.into_iter().filter(new).collect();
         self.routes.extend(routes);
+        self.drivers.extend(report.drivers);
         let new = |skipped: &super::Skipped| !self.skipped.contains(skipped);
         let skipped: Vec<_> = report.skipped.into_iter().filter(new).collect();
         self.skipped.extend(skipped);

@@ -13,8 +13,10 @@ use crate::domain::Inputs;
 use crate::perturbed::{self, Overall, Tightness};
 use crate::question::{Answer, Verdict};
 use crate::search::Found;
+use lobe_backends::executor::Executor;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::def::FunctionDef;
+use std::collections::BTreeMap;
 
 /// The outcome of a whole run.
 #[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
@@ -32,12 +34,15 @@ pub struct Report {
     pub model: Option<String>,
     /// Routes that ran.
     pub routes: Vec<String>,
+    /// What the driver of each route says of itself, its version with it, by the driver's name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub drivers: BTreeMap<String, String>,
     /// Routes that could have run and did not.
     pub skipped: Vec<Skipped>,
     /// Kernel by kernel.
     pub kernels: Vec<KernelReport>,
     /// Rows of tables that no kernel is mapped to, by function.
-    pub unmapped: std::collections::BTreeMap<String, usize>,
+    pub unmapped: BTreeMap<String, usize>,
     /// Which part of a whole it is, if it is no whole.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<Part>,
@@ -104,6 +109,7 @@ impl Report {
             seed,
             model: None,
             routes: Vec::new(),
+            drivers: BTreeMap::new(),
             skipped: Vec::new(),
             kernels: Vec::new(),
             unmapped: Default::default(),
@@ -116,6 +122,15 @@ impl Report {
     #[must_use]
     pub fn with_accuracy(self, accuracy: &Model) -> Self {
         Self { model: accuracy.unusual_name().map(str::to_owned), ..self }
+    }
+
+    /// The same of a run on these routes.
+    #[must_use]
+    pub fn with_routes(mut self, executors: &[Box<dyn Executor>]) -> Self {
+        self.routes = executors.iter().map(|e| e.route().to_string()).collect();
+        let named = executors.iter().filter_map(|e| Some((e.route().driver()?, e.driver_info())));
+        self.drivers = named.map(|(name, words)| (name.to_owned(), words.to_owned())).collect();
+        self
     }
 
     /// Counts the answers.

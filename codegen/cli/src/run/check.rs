@@ -92,6 +92,8 @@ fn take_routes(report: &mut report::Report, found: &[(&Job, Vec<Report>)]) {
     for route in routes.filter(|route| !route.driver.is_empty()) {
         if !report.routes.contains(&route.route) {
             report.routes.push(route.route.clone());
+            let driver = route.route.split_once('@').map_or("", |(_, driver)| driver);
+            report.drivers.insert(driver.to_owned(), route.driver.clone());
         }
     }
 }
