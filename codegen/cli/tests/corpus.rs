@@ -74,6 +74,21 @@ fn the_judge_and_drivers_drawn_by_chance_agree_with_the_interpreter() {
 }
 
 #[test]
+fn drivers_drawn_by_chance_stay_within_the_bound_on_the_edges_of_types_too() {
+    let args = ["run", "--batch", CORPUS, "--check", "--inputs", "40", "--drivers", "4", "--route", "interp"];
+    let said = text(&lobe(&[&args[..], &["--format", "json"]].concat()).stdout);
+    let report: Value = serde_json::from_str(&said).expect("JSON");
+    let kernels = report["kernels"].as_array().expect("modules");
+    let drawn =
+        kernels.iter().flat_map(|k| k["answers"].as_array().into_iter().flatten().map(move |a| (k, a)));
+    let drawn: Vec<(&Value, &Value)> = drawn.filter(|(_, a)| a["subject"] == "perturbed").collect();
+    assert!(drawn.len() >= FEWEST, "{} modules, there should be {FEWEST}", drawn.len());
+    for (module, answer) in drawn {
+        assert_eq!(answer["verdict"], "holds", "{}: {answer}", module["name"]);
+    }
+}
+
+#[test]
 fn every_module_can_be_looked_through_for_mistakes() {
     let reports = reports(&["--route", "interp", "--sanitize"]);
     let is_fine = |r: &&Value| ["ok", "findings", "refused"].iter().any(|status| r["status"] == *status);
