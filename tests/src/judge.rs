@@ -211,18 +211,19 @@ impl Questions {
 
     fn ask(&mut self, batch: &Batch<'_>) {
         self.robust.absorb(batch);
-        self.ask_all_but_robust(batch);
+        self.conformant.absorb(batch);
+        self.ask_the_others(batch);
     }
 
     /// Of rows that were looked for.
     fn ask_of_found(&mut self, batch: &Batch<'_>) {
         self.robust.absorb_found(batch);
-        self.ask_all_but_robust(batch);
+        self.conformant.absorb_found(batch);
+        self.ask_the_others(batch);
     }
 
-    fn ask_all_but_robust(&mut self, batch: &Batch<'_>) {
+    fn ask_the_others(&mut self, batch: &Batch<'_>) {
         self.approximation.absorb(batch);
-        self.conformant.absorb(batch);
         self.agree.absorb(batch);
         self.sanitized.iter_mut().for_each(|sanitized| sanitized.absorb(batch));
     }

@@ -15,7 +15,7 @@ pub const SUBJECT: &str = "perturbed";
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 /// How many times as large as the worst error found a bound is, scalar by scalar of each row.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Tightness {
     /// Drivers that ran each row.
     pub drivers: usize,
@@ -33,7 +33,7 @@ pub struct Tightness {
 }
 
 /// How tight the bounds of many kernels are.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Overall {
     /// Kernels with bounds.
     pub kernels: usize,

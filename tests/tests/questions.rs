@@ -247,6 +247,22 @@ fn a_route_outside_the_bound_is_caught() {
 }
 
 #[test]
+fn the_spread_of_shares_counts_every_row_that_was_judged() {
+    let mut routes: [Box<dyn lobe_backends::executor::Executor>; 2] =
+        [Box::new(Native), spoilt("spirv@broken", |o| last(o, |w| w ^ 0x40_0000))];
+    let report = check_on(named("doubled"), &mut routes);
+    let of = |subject: &str| {
+        let found =
+            report.answers.iter().find(|a| a.question == Question::Conformant && a.subject == subject);
+        found.and_then(|answer| answer.distribution.clone()).expect("a distribution")
+    };
+    let (native, broken) = (of("native"), of("spirv@broken"));
+    assert_eq!((native.rows, native.median, native.counts[0]), (1000, 0.0, 1000), "a sum of equals is exact");
+    assert_eq!((broken.rows, broken.p99, broken.counts.last()), (1000, 0.0, Some(&1)));
+    assert!(report.answers.iter().all(|a| a.distribution.is_some() == (a.question == Question::Conformant)));
+}
+
+#[test]
 fn nan_where_a_number_is_wanted_is_caught() {
     let mut routes: [Box<dyn lobe_backends::executor::Executor>; 1] =
         [spoilt("spirv@broken", |o| last(o, |_| f32::NAN.to_bits()))];

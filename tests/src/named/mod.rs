@@ -188,6 +188,7 @@ impl Tests {
             mapping: Mapping::none(),
             sanitize: asked == Asked::Sanitized,
             accuracy: self.options.accuracy()?,
+            drivers: 0,
             search: None,
         };
         let mut opened = asked.open(self.routes)?;

@@ -1,5 +1,6 @@
 //! Question 3: does the result of a route lie inside the derived bound around the f64 value?
 
+use super::distribution::Shares;
 use super::expected::Expected;
 use super::worst::{Extreme, Sample};
 use super::{Answer, Batch, Question, Verdict};
@@ -22,17 +23,27 @@ struct OfRoute {
     indeterminate: usize,
     outside: usize,
     extreme: Extreme,
+    shares: Shares,
     failure: Option<String>,
 }
 
 impl Conformant {
     /// Takes a batch.
     pub fn absorb(&mut self, batch: &Batch<'_>) {
+        self.take(batch, true);
+    }
+
+    /// Takes rows that were looked for: they lie where shares are large, so they tell nothing of how shares spread.
+    pub fn absorb_found(&mut self, batch: &Batch<'_>) {
+        self.take(batch, false);
+    }
+
+    fn take(&mut self, batch: &Batch<'_>, is_drawn: bool) {
         for (index, (route, output)) in batch.outputs.iter().enumerate() {
             let (_, of_route) =
                 self.routes.entry(index).or_insert_with(|| (route.clone(), OfRoute::default()));
             match output {
-                Ok(columns) => of_route.absorb(batch, columns),
+                Ok(columns) => of_route.absorb(batch, columns, is_drawn),
                 Err(why) => of_route.failure = Some(why.clone()),
             }
         }
@@ -46,11 +57,11 @@ impl Conformant {
 }
 
 impl OfRoute {
-    fn absorb(&mut self, batch: &Batch<'_>, output: &Columns) {
+    fn absorb(&mut self, batch: &Batch<'_>, output: &Columns, is_drawn: bool) {
         self.cases += batch.args.rows;
         self.ambiguous += batch.n_ambiguous();
         for row in 0..batch.args.rows {
-            match self.judge_row(batch, output, row) {
+            match self.judge_row(batch, output, row, is_drawn) {
                 Some(true) => {}
                 Some(false) => self.outside += 1,
                 None => self.indeterminate += 1,
@@ -59,18 +70,25 @@ impl OfRoute {
     }
 
     /// Whether the row lies inside; `None` when the bound says nothing about part of it.
-    fn judge_row(&mut self, batch: &Batch<'_>, output: &Columns, row: usize) -> Option<bool> {
+    fn judge_row(&mut self, batch: &Batch<'_>, output: &Columns, row: usize, is_drawn: bool) -> Option<bool> {
         let mut known = !batch.is_indeterminate(row);
-        let mut inside = true;
+        let (mut inside, mut share) = (true, 0.0_f64);
         for (leaf, column) in batch.shadow.columns.iter().enumerate().take(if known { usize::MAX } else { 0 })
         {
             let word = output.columns[leaf][row];
             match sample(column, row, word) {
-                Some(sample) => inside &= self.extreme.take(sample, || batch.worst(row, leaf, sample)),
+                Some(sample) => {
+                    inside &= self.extreme.take(sample, || batch.worst(row, leaf, sample));
+                    share = share.max(sample.share());
+                }
                 None => known = false,
             }
         }
-        (known || !inside).then_some(inside)
+        let is_judged = known || !inside;
+        if is_judged && is_drawn {
+            self.shares.take(share);
+        }
+        is_judged.then_some(inside)
     }
 
     fn finish(self, route: &Route, expected: &Expected<'_>) -> Answer {
@@ -87,6 +105,7 @@ impl OfRoute {
             cases: self.cases,
             indeterminate: self.indeterminate,
             ambiguous: self.ambiguous,
+            distribution: self.shares.finish(),
             ..Answer::bare(Question::Conformant, route.to_string(), verdict).with(self.extreme)
         }
     }

@@ -7,6 +7,7 @@
 pub mod agree;
 pub mod conformant;
 pub mod correct;
+pub mod distribution;
 pub mod expected;
 pub mod robust;
 pub mod sanitized;
@@ -16,6 +17,7 @@ pub(crate) use worst::float;
 pub use worst::{Extreme, Sample, Worst, ulp};
 
 use crate::subject::{Permitted, Subject};
+use distribution::Distribution;
 use lobe_backends::interp::ShadowColumns;
 use lobe_backends::route::Route;
 use lobe_codegen::data::Columns;
@@ -91,6 +93,9 @@ pub struct Answer {
     pub ulp: f64,
     /// The row with the largest share.
     pub worst: Option<Worst>,
+    /// How rows spread over the share of the bound that they use, where a route was judged by it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distribution: Option<Distribution>,
 }
 
 impl Answer {
@@ -109,6 +114,7 @@ impl Answer {
             relative: 0.0,
             ulp: 0.0,
             worst: None,
+            distribution: None,
         }
     }
 

@@ -131,9 +131,14 @@ fn figures(answer: &Answer) -> String {
         Question::Conformant => "of the bound",
         Question::Correct | Question::Agree => "of the permitted",
     };
+    let spread = answer
+        .distribution
+        .as_ref()
+        .map(|d| format!(" (half of the rows {}, 99 % {})", short(d.median), short(d.p99)));
     format!(
-        "{} {what}   worst {} ULP, abs {}, rel {}",
+        "{} {what}{}   worst {} ULP, abs {}, rel {}",
         short(answer.share),
+        spread.unwrap_or_default(),
         short(answer.ulp),
         short(answer.absolute),
         short(answer.relative)

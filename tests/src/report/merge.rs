@@ -221,6 +221,7 @@ fn joined(mut first: KernelReport, second: KernelReport) -> KernelReport {
     first.inputs = first.inputs.max(second.inputs);
     first.listed = first.listed.max(second.listed);
     first.search = first.search.or(second.search);
+    first.tightness = first.tightness.or(second.tightness);
     first.answers.extend(second.answers);
     first.answers.sort_by_key(|answer| match answer.question {
         Question::Correct => 0,

@@ -11,6 +11,7 @@ pub use part::Part;
 
 use crate::domain::Inputs;
 use crate::perturbed::{self, Overall, Tightness};
+use crate::question::distribution::bin_ends;
 use crate::question::{Answer, Verdict};
 use crate::search::Found;
 use lobe_backends::executor::Executor;
@@ -39,6 +40,9 @@ pub struct Report {
     pub drivers: BTreeMap<String, String>,
     /// Routes that could have run and did not.
     pub skipped: Vec<Skipped>,
+    /// Where the bins of every distribution end; one more, without an end, is for rows beyond the bound.
+    #[serde(default)]
+    pub bin_ends: Vec<f64>,
     /// Kernel by kernel.
     pub kernels: Vec<KernelReport>,
     /// Rows of tables that no kernel is mapped to, by function.
@@ -81,7 +85,7 @@ pub struct KernelReport {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub search: Option<Found>,
     /// How tight the derived bounds are, where drivers drawn by chance ran.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tightness: Option<Tightness>,
 }
 
@@ -111,6 +115,7 @@ impl Report {
             routes: Vec::new(),
             drivers: BTreeMap::new(),
             skipped: Vec::new(),
+            bin_ends: bin_ends(),
             kernels: Vec::new(),
             unmapped: Default::default(),
             part: None,

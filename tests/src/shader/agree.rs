@@ -11,7 +11,7 @@ pub(super) fn outputs(given: &[Given], bounds: Option<&Bounds>) -> Outputs {
     let mut outputs = Outputs { scalars: 0, indeterminate: 0 };
     for given in given.iter().filter(|given| given.is_written()) {
         given.shape.visit(given.data.len(), &mut |at, scalar, _| {
-            let permit = machine::permit(bounds, given, at, scalar);
+            let permit = machine::permit(bounds, given, at, scalar, &given.data);
             let is_unknown = match permit {
                 Permit::Unknown => true,
                 Permit::Around { exact, bound } => !exact.is_finite() || !bound.is_finite(),
