@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, DXC, SwiftShader.
+# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, DXC, SwiftShader,
+# and a browser for the pages of reports.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
@@ -189,6 +190,24 @@ nextest() {
     say "cargo-nextest" "$(cargo nextest --version | head -n 1)"
 }
 
+# Looks at the pages that reports are. Ubuntu's is a snap; there any browser of that family that is on the PATH serves.
+browser() {
+    local name
+    for name in chromium chromium-browser google-chrome google-chrome-stable; do
+        if command -v "$name" >/dev/null; then
+            say "browser" "$name"
+            return 0
+        fi
+    done
+    if [[ ${ID:-} != debian ]]; then
+        say "browser" "skipped: only Debian ships chromium as a package"
+        return 0
+    fi
+    needs "browser" || return 0
+    apt_install chromium || fail "browser" "apt could not install chromium (see above)"
+    say "browser" "chromium $(installed_version chromium)"
+}
+
 if ! command -v apt-get >/dev/null; then
     cat >&2 <<MANUAL
 setup: this script knows Debian and Ubuntu (apt-get), which this system is not. Please install:
@@ -212,6 +231,7 @@ else
     say "DXC, spirv-val" "skipped: their wheels are for x86_64 only"
 fi
 swiftshader
+browser
 
 if [[ $missing -gt 0 ]]; then
     say "result" "$missing missing; 'tests/setup.sh' installs them"

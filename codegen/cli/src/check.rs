@@ -3,6 +3,7 @@
 use crate::fail::{Fail, Outcome};
 use crate::model;
 use crate::output::{self, Format};
+use crate::report::ReportFiles;
 use crate::route::{self, RouteArgs};
 use crate::select;
 use lobe_codegen::accuracy::Model;
@@ -55,6 +56,8 @@ pub(crate) struct Args {
     /// Form of the report
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+    #[command(flatten)]
+    files: ReportFiles,
     /// Show the worst row of every answer, with the command that runs it again
     #[arg(long)]
     worst: bool,
@@ -63,6 +66,7 @@ pub(crate) struct Args {
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let mut kernels = select::kernels(&args.kernels)?;
+    args.files.check()?;
     let mut opened = route::open(&args.routes)?;
     let cases = Cases::standard();
     let plan = Plan {
@@ -104,7 +108,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     }
     bar.finish_and_clear();
     report.skipped = opened.skipped;
-    finish(&report, args.format)
+    finish(&report, args.format, &args.files)
 }
 
 /// Lists the rows that the search found to be worse than all before.
@@ -114,8 +118,9 @@ fn keep(cases: &Cases, found: &KernelReport) -> Result<(), Fail> {
     cases.keep(&found.name, new).map_err(|cause| Fail::Write { path: cases.rows(&found.name), cause })
 }
 
-/// Prints what is not printed yet, and ends the run.
-pub(crate) fn finish(report: &Report, format: Format) -> Result<Outcome, Fail> {
+/// Writes and prints what is not printed yet, and ends the run.
+pub(crate) fn finish(report: &Report, format: Format, files: &ReportFiles) -> Result<Outcome, Fail> {
+    files.write(report)?;
     output::print(&match format {
         Format::Human => human::summary(report, output::style()),
         Format::Json => json::render(report),

@@ -18,6 +18,7 @@ mod mutate;
 mod operations;
 mod oracle;
 mod output;
+mod report;
 mod route;
 mod run;
 mod select;

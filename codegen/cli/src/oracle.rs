@@ -3,6 +3,7 @@
 use crate::check;
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, Format};
+use crate::report::ReportFiles;
 use crate::route::{self, RouteArgs};
 use crate::select;
 use lobe_tests::oracle::{Mapping, judge_table, table};
@@ -23,6 +24,8 @@ pub(crate) struct Args {
     /// Form of the report
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+    #[command(flatten)]
+    files: ReportFiles,
 }
 
 /// Runs the subcommand.
@@ -35,6 +38,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         }
         None => Mapping::standard()?,
     };
+    args.files.check()?;
     let paths = table::list(&args.folder)?;
     let mut opened = route::open(&args.routes)?;
     let mut report = Report::new("oracle", 0).with_routes(&opened.executors);
@@ -51,7 +55,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
             output::print(&human::render_kernel(kernel, output::style()))?;
         }
     }
-    check::finish(&report, args.format)
+    check::finish(&report, args.format, &args.files)
 }
 
 fn add(report: &mut Report, kernel: &str, answer: Answer) {

@@ -216,6 +216,28 @@ fn a_kernel_that_holds_gives_zero_and_all_formats() {
 }
 
 #[test]
+fn a_report_goes_to_files_too_by_their_endings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (page, data, xml) = (at("a.html"), at("a.json"), at("a.xml"));
+    let args =
+        ["check", "sg_integral", "--inputs", "200", "--report", &page, "--report", &data, "--report", &xml];
+    let said = assert_holds(&lobe(&[&args[..], &STRICT].concat()));
+    assert!(said.contains("all holds"), "people are told as ever: {said}");
+    let read = |name: &str| std::fs::read_to_string(name).expect("readable");
+    assert!(read(&page).starts_with("<!doctype html>") && read(&page).contains("sg_integral"));
+    assert!(read(&xml).contains("<testsuite name=\"sg_integral\""));
+    let json = assert_holds(&lobe(&[&args[..4], &["--format", "json"], &STRICT[..]].concat()));
+    assert_eq!(read(&data), json);
+    let refused = |file: &str, parts: &[&str]| {
+        assert_fails(&lobe(&["check", "erf", "--report", file]), 2, parts);
+    };
+    refused("a.pdf", &["a.pdf", ".html, .json or .xml"]);
+    refused(&at("no-such-folder/a.html"), &["no-such-folder/a.html", "there is no folder"]);
+    assert_fails(&lobe(&["oracle", folder.path().to_str().expect("UTF-8"), "--report", "a"]), 2, &["ending"]);
+}
+
+#[test]
 fn the_same_seed_gives_the_same_report() {
     let check = |seed: &str| {
         let args = [&["check", "sg_eval", "--inputs", "300", "--seed", seed], &STRICT[..]].concat();

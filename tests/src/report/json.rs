@@ -18,13 +18,27 @@ struct WithTally<'a> {
     tightness: Option<Overall>,
 }
 
+impl<'a> WithTally<'a> {
+    fn of(report: &'a Report) -> Self {
+        Self { report, tally: report.tally(), tightness: report.tightness() }
+    }
+}
+
 /// The report, indented, with a line feed at its end.
 #[must_use]
 pub fn render(report: &Report) -> String {
-    let with_tally = WithTally { report, tally: report.tally(), tightness: report.tightness() };
-    // Maps with string keys and finite numbers only: this cannot fail, and if it did the text would say so.
-    let text = serde_json::to_string_pretty(&with_tally);
-    text.unwrap_or_else(|e| format!("{{\"schema\":{SCHEMA},\"error\":{:?}}}", e.to_string())) + "\n"
+    written(serde_json::to_string_pretty(&WithTally::of(report))) + "\n"
+}
+
+/// The report in one line.
+#[must_use]
+pub fn compact(report: &Report) -> String {
+    written(serde_json::to_string(&WithTally::of(report)))
+}
+
+/// Maps with string keys and finite numbers only: this cannot fail, and if it did the text would say so.
+fn written(text: serde_json::Result<String>) -> String {
+    text.unwrap_or_else(|e| format!("{{\"schema\":{SCHEMA},\"error\":{:?}}}", e.to_string()))
 }
 
 /// The report that [`render`] wrote.

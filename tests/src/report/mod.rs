@@ -1,6 +1,7 @@
-//! What a check found, for people ([`human`]), for programs ([`json`]) and for CI servers ([`junit`]); and how reports
-//! of parts become one ([`merge`](mod@merge)).
+//! What a check found, for people ([`human`], [`html`]), for programs ([`json`]) and for CI servers ([`junit`]); and how
+//! reports of parts become one ([`merge`](mod@merge)).
 
+pub mod html;
 pub mod human;
 pub mod json;
 pub mod junit;

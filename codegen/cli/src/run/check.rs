@@ -4,6 +4,7 @@ use super::{Args, Format};
 use crate::check::finish;
 use crate::fail::{Fail, Outcome};
 use crate::output;
+use crate::report::ReportFiles;
 use lobe_backends::routes::{Machine, State};
 use lobe_tests::report::{self, Skipped, human};
 use lobe_tests::shader::check::{Extent, gather, runs};
@@ -31,6 +32,8 @@ pub(super) struct CheckArgs {
     /// Show the worst input of every answer, with the command that runs it again
     #[arg(long, requires = "check")]
     worst: bool,
+    #[command(flatten)]
+    files: ReportFiles,
 }
 
 impl CheckArgs {
@@ -41,6 +44,7 @@ impl CheckArgs {
 
 /// Checks each of `jobs`.
 pub(super) fn run(args: &Args, jobs: &[Job]) -> Result<Outcome, Fail> {
+    args.check.files.check()?;
     let (extent, style) = (args.check.extent(), human::Style { worst: args.check.worst, ..output::style() });
     let all: Vec<Job> = jobs.iter().flat_map(|job| runs(job, extent)).collect();
     let of_each = extent.inputs as usize;
@@ -73,7 +77,7 @@ pub(super) fn run(args: &Args, jobs: &[Job]) -> Result<Outcome, Fail> {
     });
     bar.finish_and_clear();
     broken?;
-    finish(&report, args.format)
+    finish(&report, args.format, &args.check.files)
 }
 
 /// Routes to drivers that this machine lacks.
