@@ -1,6 +1,8 @@
 //! Executors and plans that several tests share.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod browser;
+
 use lobe_backends::executor::{ExecError, Executor, Interp, Native, Program};
 use lobe_backends::route::Route;
 use lobe_codegen::accuracy::Model;
@@ -77,7 +79,12 @@ impl Executor for Spoilt {
 /// Says aloud, past libtest's capture, that something was left out; under `LOBE_REQUIRE_TOOLS` it fails.
 #[track_caller]
 pub(crate) fn skip(what: &str, mend: &str) {
-    use std::io::Write;
     assert!(std::env::var_os("LOBE_REQUIRE_TOOLS").is_none(), "{what} is missing: {mend}");
-    let _ = writeln!(std::io::stderr(), "SKIPPED: {what} is missing: {mend}");
+    say(&format!("{what} is missing: {mend}"));
+}
+
+/// Says aloud, past libtest's capture, that something was left out.
+pub(crate) fn say(what: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {what}");
 }
