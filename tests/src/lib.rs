@@ -8,6 +8,7 @@ pub mod cost;
 pub mod domain;
 pub mod expectation;
 pub mod explain;
+pub mod export;
 pub mod figures;
 pub mod files;
 pub mod judge;

@@ -200,6 +200,15 @@ impl Program {
         Ok(self.artifacts.entry.get_or_init(|| made))
     }
 
+    /// What the buffers of the parameters hold when that entry point is run on `args`, in the order of the parameters.
+    ///
+    /// # Errors
+    /// When the arguments have another shape, and as of [`Program::entry`].
+    pub fn argument_buffers(&self, args: &Columns) -> Result<Vec<Vec<u8>>, ExecError> {
+        self.check_shape(args)?;
+        Ok(pack_arguments(&self.entry()?.1, args))
+    }
+
     /// The complete compute shader for `target`, as a user gets it.
     ///
     /// # Errors

@@ -8,6 +8,7 @@ use lobe_backends::interp::ShadowColumn;
 use lobe_backends::route::Route;
 use lobe_backends::routes::Machine;
 use lobe_codegen::data::{Columns, WordReader};
+use lobe_codegen::def::FunctionDef;
 use lobe_tests::value::{Floats, parse_rows, value_json};
 use serde_json::{Map, Number, Value, json};
 use std::io::Read;
@@ -48,7 +49,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 }
 
 /// The name and text of a file, or of standard input.
-pub(crate) fn read(path: &PathBuf) -> Result<(String, String), Fail> {
+fn read(path: &PathBuf) -> Result<(String, String), Fail> {
     if path.as_os_str() == "-" {
         let mut text = String::new();
         let cause = std::io::stdin().read_to_string(&mut text);
@@ -57,6 +58,19 @@ pub(crate) fn read(path: &PathBuf) -> Result<(String, String), Fail> {
     }
     let text = std::fs::read_to_string(path);
     Ok((path.display().to_string(), text.map_err(|cause| Fail::Read { path: path.clone(), cause })?))
+}
+
+/// Rows of arguments that an option gives: JSON itself, or a file that holds it; `-` is standard input.
+pub(crate) fn rows(kernel: &FunctionDef, input: &str) -> Result<Columns, Fail> {
+    let (name, text) = match input.trim_start().starts_with('{') {
+        true => ("--input".to_owned(), input.to_owned()),
+        false => read(&PathBuf::from(input))?,
+    };
+    let rows = parse_rows(kernel, &text).map_err(|cause| Fail::Row { name: name.clone(), cause })?;
+    match rows.rows {
+        0 => Err(Fail::Usage(format!("{name}: holds no row of arguments"))),
+        _ => Ok(rows),
+    }
 }
 
 fn values(program: &Program, rows: &Columns, args: &Args, floats: Floats) -> Result<String, Fail> {

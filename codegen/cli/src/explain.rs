@@ -1,6 +1,6 @@
 //! `lobe explain`: which operation a wrong or poor result comes from.
 
-use crate::eval::read;
+use crate::eval::rows;
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use crate::select;
@@ -9,9 +9,7 @@ use lobe_backends::routes::{Machine, State};
 use lobe_codegen::data::Columns;
 use lobe_tests::explain::{Explanation, explain, human};
 use lobe_tests::subject::Subject;
-use lobe_tests::value::parse_rows;
 use serde::Serialize;
-use std::path::PathBuf;
 
 /// Version of the format.
 const SCHEMA: u32 = 1;
@@ -54,15 +52,10 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 
 /// The one row of arguments.
 fn row(kernel: &lobe_codegen::def::FunctionDef, input: &str) -> Result<Columns, Fail> {
-    let (name, text) = if input.trim_start().starts_with('{') {
-        ("--input".to_owned(), input.to_owned())
-    } else {
-        read(&PathBuf::from(input))?
-    };
-    let rows = parse_rows(kernel, &text).map_err(|cause| Fail::Row { name: name.clone(), cause })?;
+    let rows = rows(kernel, input)?;
     match rows.rows {
         1 => Ok(rows),
-        n => Err(Fail::Usage(format!("{name}: holds {n} rows of arguments; one is explained at a time"))),
+        n => Err(Fail::Usage(format!("--input: holds {n} rows of arguments; one is explained at a time"))),
     }
 }
 

@@ -6,6 +6,7 @@ use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
 use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
+use lobe_tests::export::ExportError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::report::merge::MergeError;
@@ -60,6 +61,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Explain(#[from] ExplainError),
     #[error(transparent)]
+    Export(#[from] ExportError),
+    #[error(transparent)]
     Judge(#[from] JudgeError),
     #[error(transparent)]
     Table(#[from] TableError),
@@ -106,6 +109,11 @@ impl Fail {
             | Self::Stdout(_)
             | Self::Expectation(_)
             | Self::Merge(_)
+            | Self::Export(
+                ExportError::NothingKnown { .. }
+                | ExportError::PartlyKnown { .. }
+                | ExportError::Mixed { .. },
+            )
             | Self::Table(_) => 2,
             Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)
@@ -114,6 +122,7 @@ impl Fail {
             | Self::Mapping(_)
             | Self::Judge(_)
             | Self::Explain(_)
+            | Self::Export(ExportError::Exec(_) | ExportError::Disassembly { .. })
             | Self::Bench(_)
             | Self::Defect(_) => 1,
         }

@@ -8,6 +8,7 @@ mod doctor;
 mod emit;
 mod eval;
 mod explain;
+mod export;
 mod fail;
 mod figures;
 mod list;
@@ -47,6 +48,8 @@ enum Command {
     Eval(eval::Args),
     /// Name the operation that a wrong or poor result of a kernel comes from
     Explain(explain::Args),
+    /// Write a kernel at given arguments as one file for others: WGSL, Amber, LLVM's offload test suite
+    Export(export::Args),
     /// Run a compute shader of your own on the interpreter and on every GPU route, and compare
     Run(Box<run::Args>),
     /// Ask kernels the four questions: correct, robust, conformant, agree
@@ -82,6 +85,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Emit(args) => emit::run(args),
         Command::Eval(args) => eval::run(args),
         Command::Explain(args) => explain::run(args),
+        Command::Export(args) => export::run(args),
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::run(args),
         Command::Merge(args) => merge::run(args),

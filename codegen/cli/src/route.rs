@@ -7,7 +7,7 @@ use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_tests::report::Skipped;
 
 /// Options of the subcommands that run kernels.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 pub(crate) struct RouteArgs {
     /// Take only these routes, as `interp` or `spirv@lavapipe`
     #[arg(long = "route", value_name = "ROUTE")]

@@ -35,6 +35,8 @@ pub enum Feed {
     /// Drawn: floats on the edges of their type, as zeros of both signs, subnormals, neighbours of 1, and small and large
     /// numbers, beside ordinary ones; integers and texels as [`Feed::Random`] draws them.
     Edges(u64),
+    /// These words, little-endian.
+    Words(Vec<u32>),
     /// A file: JSON that follows the type of a buffer (`.json`), or else the bytes or texels themselves.
     File(PathBuf),
 }
@@ -50,8 +52,11 @@ impl FromStr for Feed {
                 Ok(seed) => Ok(Self::Random(seed)),
                 Err(_) => Err(format!("`{seed}` is no seed; write {kind}:7")),
             },
+            Some(("words", words)) => words.split(',').map(word).collect::<Result<_, _>>().map(Self::Words),
             _ if text == "random" || text == "edges" => Err(format!("{text} needs a seed; write {text}:7")),
-            _ if text.is_empty() => Err("a file, zeros, random:SEED or edges:SEED is wanted".to_owned()),
+            _ if text.is_empty() => {
+                Err("a file, zeros, random:SEED, edges:SEED or words:WORD,.. is wanted".to_owned())
+            }
             _ => Ok(Self::File(PathBuf::from(text))),
         }
     }
@@ -63,9 +68,22 @@ impl std::fmt::Display for Feed {
             Self::Zeros => f.write_str("zeros"),
             Self::Random(seed) => write!(f, "random:{seed}"),
             Self::Edges(seed) => write!(f, "edges:{seed}"),
+            Self::Words(words) => {
+                let words: Vec<String> = words.iter().map(|word| format!("{word:#x}")).collect();
+                write!(f, "words:{}", words.join(","))
+            }
             Self::File(path) => write!(f, "{}", path.display()),
         }
     }
+}
+
+/// A word, in decimal or hexadecimal.
+fn word(text: &str) -> Result<u32, String> {
+    let parsed = match text.strip_prefix("0x") {
+        Some(digits) => u32::from_str_radix(digits, 16),
+        None => text.parse(),
+    };
+    parsed.map_err(|_| format!("`{text}` is no word of 32 bits; write 12 or 0xc"))
 }
 
 /// What is said of a resource.
@@ -122,6 +140,7 @@ fn texels(resource: &Resource, shape: TextureShape, feed: &Feed) -> Result<Vec<u
         Feed::Random(seed) | Feed::Edges(seed) => {
             texture::drawn(shape, &mut Rng::new(*seed, &resource.place()))
         }
+        Feed::Words(words) => bytes_of(words),
         Feed::File(path) => {
             std::fs::read(path).map_err(|e| format!("{}: cannot be read: {e}", path.display()))?
         }
@@ -140,6 +159,7 @@ fn bytes(
     let (name, size) = (&resource.name, said.size);
     let mut bytes = match said.feed {
         Feed::File(path) => read(name, shape, least, path)?,
+        Feed::Words(words) => bytes_of(words),
         Feed::Zeros | Feed::Random(_) | Feed::Edges(_) => {
             vec![0; checked(name, size.unwrap_or_else(|| usual(shape, least, invocations)))?]
         }
@@ -149,15 +169,19 @@ fn bytes(
         return Err(format!("`{name}` needs {least} bytes or more, a multiple of 4; it has {size}"));
     }
     if bytes.len() > size {
-        return Err(format!("`{name}`: the file's {} bytes are more than the size of {size}", bytes.len()));
+        return Err(format!("`{name}`: the {} bytes given are more than the size of {size}", bytes.len()));
     }
     bytes.resize(size, 0);
     match said.feed {
         Feed::Random(seed) => draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes, number),
         Feed::Edges(seed) => draw(shape, &mut Rng::new(*seed, &resource.place()), &mut bytes, edges::number),
-        Feed::Zeros | Feed::File(_) => {}
+        Feed::Zeros | Feed::Words(_) | Feed::File(_) => {}
     }
     Ok(bytes)
+}
+
+fn bytes_of(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }
 
 fn checked(name: &str, size: usize) -> Result<usize, String> {
@@ -211,10 +235,21 @@ mod tests {
 
     #[test]
     fn feeds_are_spelt_as_they_print() {
-        for text in ["zeros", "random:7", "edges:7", "data.bin", "a/b.json"] {
+        for text in ["zeros", "random:7", "edges:7", "words:0x1,0xffffffff", "data.bin", "a/b.json"] {
             assert_eq!(text.parse::<Feed>().map(|f| f.to_string()), Ok(text.to_owned()));
         }
-        for text in ["random", "random:", "random:x", "edges", "edges:-1", ""] {
+        let broken = [
+            "random",
+            "random:",
+            "random:x",
+            "edges",
+            "edges:-1",
+            "words:",
+            "words:0x1ffffffff",
+            "words:1.5",
+            "",
+        ];
+        for text in broken {
             assert!(text.parse::<Feed>().is_err(), "{text}");
         }
     }

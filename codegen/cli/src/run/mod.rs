@@ -46,6 +46,7 @@ const HELP: &str = "\
 Each buffer that the entry point uses is filled as --input says, else with random:0. \
 random:SEED draws floats from -1..1, u32 from 0..64 and i32 from -32..32; edges:SEED draws floats on the edges of \
 their type (zeros, subnormals, neighbours of 1, small and large numbers) and integers alike; atomics start at 0. \
+words:WORD,.. are 32-bit words, as 12 or 0xc. \
 FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1.8p3\", \"nan\", \"inf\"), \
 or else the bytes themselves. \
 A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
