@@ -72,7 +72,11 @@ fn epsilon(expected: &Expected) -> Option<f64> {
 
 fn buffers(case: &Case<'_>, rule: &Rule) -> Result<String, ExportError> {
     let mut out = "Buffers:\n".to_owned();
-    for Buffer { name, words, .. } in case.buffers()? {
+    for Buffer { name, is_uniform, mut words, .. } in case.buffers()? {
+        if is_uniform {
+            // Direct3D counts constants in vectors of four.
+            words.resize(words.len().next_multiple_of(4), 0);
+        }
         out += &buffer(&name, "Hex32", &data(words.iter().map(|word| format!("{word:#010x}"))));
     }
     let size = case.result_bytes()?;

@@ -52,7 +52,7 @@ function head() {
       make("button", { type: "button", title: `Sort by ${name}`, onclick: () => sortBy(column.id) },
         column.label, column.small ? make("small", {}, column.small) : ""));
   });
-  const kernel = make("th", { scope: "col", rowspan: 2 }, "kernel");
+  const kernel = make("th", { class: "kernel", scope: "col", rowspan: 2 }, "kernel");
   return make("thead", {}, make("tr", {}, kernel, ...groups), make("tr", {}, ...titles));
 }
 
