@@ -66,6 +66,11 @@ fn where_the_bound_is_lost_a_search_goes_without_changing_the_share_that_drawing
     let report = searched(lobe_codegen::kernels![unbounded_at_a_point][0], 10);
     let found = common::answer(&report, Question::Conformant);
     assert!(found.indeterminate > 0, "{found:?}");
+    assert_eq!(
+        found.distribution.as_ref().map(|d| d.rows),
+        Some(200),
+        "only drawn rows say how shares spread"
+    );
     assert!(robust(&report).indeterminate == 0 && robust(&report).cases == 200, "{:?}", robust(&report));
 }
 

@@ -9,6 +9,9 @@ use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_tests::throughput::{self, Executor, MOST, Maker, Measurement, WORKLOADS};
 use std::process::Command;
 
+/// Version of the format.
+const SCHEMA: u32 = 1;
+
 /// Options.
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
@@ -130,8 +133,7 @@ fn driven(machine: &Machine, route: &Route, road: Road, name: &str) -> Result<Ex
 fn render(measured: &[Measurement], format: ListFormat) -> String {
     match format {
         ListFormat::Json => {
-            let line = |m| format!("{}\n", serde_json::to_string(m).unwrap_or_default());
-            measured.iter().map(line).collect()
+            measured.iter().map(|measurement| output::json_line(SCHEMA, measurement)).collect()
         }
         ListFormat::Human => measured.iter().map(human).collect(),
     }

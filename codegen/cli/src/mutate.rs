@@ -171,7 +171,7 @@ fn as_json(args: &Args, all: &[KernelFaults]) -> Value {
         .collect();
     let (large, small) = scores(all);
     json!({
-        "version": 1, "report": "mutate", "seed": args.seed, "inputs": args.inputs, "equivalence": args.equivalence,
+        "schema": 1, "report": "mutate", "seed": args.seed, "inputs": args.inputs, "equivalence": args.equivalence,
         "large": counted(large), "small": counted(small), "kernels": kernels,
     })
 }

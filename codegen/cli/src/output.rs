@@ -28,6 +28,19 @@ pub(crate) enum ListFormat {
     Json,
 }
 
+/// An object as a line of JSON, the version of its format first.
+pub(crate) fn json_line(schema: u32, object: &impl serde::Serialize) -> String {
+    #[derive(serde::Serialize)]
+    struct Versioned<'a, T> {
+        schema: u32,
+        #[serde(flatten)]
+        object: &'a T,
+    }
+    // Maps with string keys only: this cannot fail, and if it did the text would say so.
+    let text = serde_json::to_string(&Versioned { schema, object });
+    text.unwrap_or_else(|e| format!("{{\"schema\":{schema},\"error\":{:?}}}", e.to_string())) + "\n"
+}
+
 /// Writes `text` to standard output.
 pub(crate) fn print(text: &str) -> Result<(), Fail> {
     write_bytes(text.as_bytes())

@@ -11,7 +11,7 @@ fn faults_are_told_with_their_places_and_counted() {
     assert!(said.starts_with("hsg_integral   ") && said.contains("by the bound"), "{said}");
     let said = assert_holds(&lobe(&["mutate", "hsg_integral", "--equivalence", "0", "--format", "json"]));
     let report: Value = serde_json::from_str(&said).expect("JSON");
-    assert_eq!((&report["version"], &report["report"]), (&1.into(), &"mutate".into()));
+    assert_eq!((&report["schema"], &report["report"]), (&1.into(), &"mutate".into()));
     let faults = report["kernels"][0]["faults"].as_array().expect("faults");
     let of_bound = faults.iter().filter(|f| f["outcome"] == "outside-bound").count();
     assert_eq!(report["kernels"][0]["count"]["by_bound"], of_bound);

@@ -1,14 +1,17 @@
 //! Reports of runs, for people and for programs.
 
-use crate::output::Format;
+use crate::output::{Format, json_line};
 use lobe_tests::shader::compare::Compared;
 use lobe_tests::shader::report::{Mistake, Report, RouteReport, Status};
 use serde_json::json;
 use std::collections::BTreeMap;
 
+/// Version of the format.
+const SCHEMA: u32 = 1;
+
 /// A report as a line of JSON.
 pub(super) fn json(report: &Report) -> String {
-    format!("{}\n", serde_json::to_string(report).unwrap_or_default())
+    json_line(SCHEMA, report)
 }
 
 /// A report as a line.
@@ -118,7 +121,7 @@ pub(super) fn summary(tally: &BTreeMap<Status, usize>, format: Format) -> String
     match format {
         Format::Json | Format::Junit => {
             let counts: BTreeMap<&str, usize> = tally.iter().map(|(s, n)| (s.name(), *n)).collect();
-            format!("{}\n", json!({ "summary": { "runs": runs, "counts": counts } }))
+            json_line(SCHEMA, &json!({ "summary": { "runs": runs, "counts": counts } }))
         }
         Format::Human => {
             let counts: Vec<String> = tally.iter().map(|(s, n)| format!("{n} {}", s.name())).collect();

@@ -1,0 +1,97 @@
+//! What the binary writes as JSON follows the schemas in `tests/schema`. Those of reports of kernels are held by
+//! `tests/tests/report.rs` too, with failures of all kinds.
+
+mod common;
+
+use common::{lobe, text};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn at(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+fn schema(name: &str) -> jsonschema::Validator {
+    let path = at("tests/schema").join(format!("{name}-1.json"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    jsonschema::validator_for(&serde_json::from_str(&text).expect("JSON")).expect("a schema")
+}
+
+#[track_caller]
+fn assert_follows(schema: &jsonschema::Validator, value: &Value) {
+    let errors: Vec<String> =
+        schema.iter_errors(value).map(|error| format!("{}: {error}", error.instance_path())).collect();
+    assert!(errors.is_empty(), "{}\nin {value}", errors.join("\n"));
+}
+
+/// The one document that a command writes, which follows its schema.
+#[track_caller]
+fn document(name: &str, args: &[&str]) -> Value {
+    let output = lobe(&[args, &["--format", "json"]].concat());
+    let value = serde_json::from_slice(&output.stdout).unwrap_or_else(|e| {
+        panic!("{e} in {}{}", text(&output.stdout), text(&output.stderr));
+    });
+    assert_follows(&schema(name), &value);
+    value
+}
+
+/// The lines that a command writes, each of which follows its schema.
+#[track_caller]
+fn lines(name: &str, args: &[&str]) -> Vec<Value> {
+    let output = lobe(&[args, &["--format", "json"]].concat());
+    let (schema, said) = (schema(name), text(&output.stdout));
+    let lines: Vec<Value> = said.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    lines.iter().for_each(|line| assert_follows(&schema, line));
+    assert!(!lines.is_empty(), "nothing is written: {}", text(&output.stderr));
+    lines
+}
+
+#[test]
+fn reports_of_kernels() {
+    document("report", &["check", "erf", "expm1_over_x_higham", "--inputs", "200", "--model", "wgsl"]);
+    document("report", &["oracle", &at("tests/cases/oracle").display().to_string(), "--route", "interp"]);
+}
+
+#[test]
+fn listings() {
+    document("list", &["list"]);
+    document("list", &["list", "--operations"]);
+    document("doctor", &["doctor"]);
+}
+
+#[test]
+fn explanations() {
+    for (kernel, row) in
+        [("expm1_over_x_higham", "{\"x\": 0.0012}"), ("erf", "{\"x\": 1e-40}"), ("erf", "{\"x\": \"nan\"}")]
+    {
+        document("explain", &["explain", kernel, "--input", row, "--route", "interp"]);
+    }
+}
+
+#[test]
+fn faults_and_throughput() {
+    document("mutate", &["mutate", "erf", "--equivalence", "0", "--inputs", "300"]);
+    lines(
+        "bench",
+        &["bench", "triad", "--items", "1000", "--rounds", "3", "--route", "native", "--route", "interp"],
+    );
+}
+
+#[test]
+fn runs_of_shaders() {
+    let corpus = at("tests/cases/corpus").display().to_string();
+    let found = lines("run", &["run", "--batch", &corpus]);
+    let has = |part: &str| found.iter().any(|line| line.to_string().contains(part));
+    for part in ["\"summary\"", "\"first\"", "\"status\":\"refused\"", "\"status\":\"ok\""] {
+        assert!(has(part), "the corpus shows no {part}");
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("bad.wgsl").display().to_string();
+    std::fs::write(&path, "@compute @workgroup_size(1) fn main() { nonsense }").expect("writable");
+    assert_eq!(lines("run", &["run", &path])[0]["status"], "invalid");
+    let race = "@group(0) @binding(0) var<storage, read_write> out: array<u32, 4>;
+        @compute @workgroup_size(4) fn main(@builtin(local_invocation_index) i: u32) { out[i + 4u] = 1u / (i - i); }";
+    std::fs::write(&path, race).expect("writable");
+    let found = &lines("run", &["run", &path, "--sanitize", "--route", "interp"])[0];
+    assert!(found["findings"].as_array().is_some_and(|all| !all.is_empty()), "{found}");
+}
