@@ -185,6 +185,21 @@ fn a_driver_gives_what_offload_tests_expect_and_no_other_results_pass() {
 }
 
 #[test]
+fn what_a_route_returns_is_told_and_what_is_not_permitted_is_marked() {
+    let subject = Subject::new(TRICKY[0].0).expect("a kernel");
+    let rows = parse_rows(subject.def(), MIXED_ROWS).expect("rows");
+    let mut broken = common::Spoilt {
+        route: "spirv@broken".parse().expect("a route"),
+        spoil: |output| output.columns[0][1] ^= 0x40_0000,
+    };
+    let case = Case::new(&subject, &rows, Model::portable(), Some(&mut broken)).expect("a case");
+    let text = export(&case, Form::Amber).expect("written");
+    let marked: Vec<&str> = text.lines().filter(|line| line.contains("NOT permitted")).collect();
+    assert!(text.contains("# Found on spirv@broken:"), "{text}");
+    assert!(marked.len() == 1 && marked[0].starts_with("#   result[1].weight = "), "{marked:?}");
+}
+
+#[test]
 fn what_a_form_has_no_words_for_is_refused_with_another_form() {
     let refused = |index: usize, text: &str, form| {
         let subject = Subject::new(TRICKY[index].0).expect("a kernel");
