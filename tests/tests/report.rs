@@ -7,7 +7,8 @@ use lobe_backends::executor::{Executor, Interp, Native};
 use lobe_codegen::prelude::*;
 use lobe_tests::judge::{Plan, judge};
 use lobe_tests::question::{Answer, Question, Verdict};
-use lobe_tests::report::{Driver, Report, Skipped, html, json};
+use lobe_tests::report::part::Share;
+use lobe_tests::report::{Report, Skipped, html, json};
 use lobe_tests::search::Limit;
 use serde_json::Value;
 use std::path::Path;
@@ -37,18 +38,23 @@ const HOSTILE: &str = "\"><script>alert(1)</script><!--{{report}}";
 fn report() -> Report {
     let mut report = Report::new("check", 7);
     report.routes = ["native", "interp", "spirv@broken"].map(str::to_owned).to_vec();
-    report.drivers =
-        vec![Driver { name: "broken".to_owned(), device: "a card".to_owned(), version: "1.0".to_owned() }];
+    report.drivers.insert("broken".to_owned(), "a card, 1.0".to_owned());
     report.skipped = vec![Skipped {
         route: "spirv@lavapipe".to_owned(),
         what: "no driver".to_owned(),
         mend: "install it".to_owned(),
     }];
-    report.model = Some("vulkan");
+    report.model = Some("vulkan".to_owned());
+    report.part = "1/2".parse().ok().map(|share: Share| share.part(vec!["scaled".to_owned()], 200));
+    report.missing.push("2/2 of lobe check".to_owned());
     report.unmapped.insert("gamma (formula-f64)".to_owned(), 3);
-    let plan = Plan { sanitize: true, search: Some(Limit::Rounds(2)), ..plan(200) };
+    let plan = Plan { sanitize: true, drivers: 3, search: Some(Limit::Rounds(2)), ..plan(200) };
     for kernel in lobe_codegen::kernels![scaled, cancels, makes_mistakes] {
-        let broken = Spoilt { route: "spirv@broken".parse().expect("a route"), spoil: spoil_last };
+        let broken = Spoilt {
+            route: "spirv@broken".parse().expect("a route"),
+            spoil: spoil_last,
+            driver: "a card, 1.0",
+        };
         let mut routes: [Box<dyn Executor>; 3] = [Box::new(Native), Box::new(Interp), Box::new(broken)];
         report.kernels.push(judge(kernel, &plan, &mut routes, &|_| {}));
     }

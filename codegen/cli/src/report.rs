@@ -33,6 +33,11 @@ fn parse(text: &str) -> Result<ReportFile, String> {
 }
 
 impl ReportFiles {
+    /// Whether no file is wanted.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.files.is_empty()
+    }
+
     /// Whether the files can stand where they are wanted; a check is long, so this is asked before.
     pub(crate) fn check(&self) -> Result<(), Fail> {
         for ReportFile { path, .. } in &self.files {

@@ -191,6 +191,7 @@ fn what_a_route_returns_is_told_and_what_is_not_permitted_is_marked() {
     let mut broken = common::Spoilt {
         route: "spirv@broken".parse().expect("a route"),
         spoil: |output| output.columns[0][1] ^= 0x40_0000,
+        driver: "",
     };
     let case = Case::new(&subject, &rows, Model::portable(), Some(&mut broken)).expect("a case");
     let text = export(&case, Form::Amber).expect("written");

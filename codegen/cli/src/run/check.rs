@@ -37,6 +37,14 @@ pub(super) struct CheckArgs {
 }
 
 impl CheckArgs {
+    /// Whether nothing is wanted that a check alone gives.
+    pub(super) fn require(&self) -> Result<(), Fail> {
+        if self.check || self.files.is_empty() {
+            return Ok(());
+        }
+        Err(Fail::Usage("--report goes with --check; a run without it prints its report".to_owned()))
+    }
+
     fn extent(&self) -> Extent {
         Extent { inputs: self.count, drivers: self.drivers, seed: self.seed }
     }

@@ -83,6 +83,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         }
     };
     check_routes(&jobs)?;
+    args.check.require()?;
     if let Some(file) = &args.expectations {
         let all = expectation::read(file)?;
         jobs.iter_mut().for_each(|job| job.expected = of(&job.file, &all));
