@@ -117,7 +117,7 @@ pub fn moments_of_lobe(axis: Vec3, sharpness: f32, weight: f32, reference: Vec3)
         weight = 2e-7 * result.weight + 1e-37,
         mean = 7e-7 * (a.weight * length(a.mean) + b.weight * length(b.mean)) / max(a.weight + b.weight, 1e-20)
             + 1e-17 * (length(a.mean) + length(b.mean)) + 1e-37,
-        spread = 1.8e-6 * result.spread + 1e-17 * (a.spread + b.spread + dot(a.mean - b.mean, a.mean - b.mean)) + 1e-37
+        spread = 2e-6 * result.spread + 1e-17 * (a.spread + b.spread + dot(a.mean - b.mean, a.mean - b.mean)) + 1e-37
     ),
     measured
 )]
@@ -188,7 +188,7 @@ pub fn moments_merge4(a: Moments, b: Moments, c: Moments, d: Moments) -> Moments
     domain(moments.mean = -1.0..=1.0, moments.spread = 1e-7..=1.0, reference = -1.0..=1.0),
     budget(
         axis = 1e-6 + 1e-6 / max(length(reference + moments.mean), 1e-6),
-        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(moments.spread, 1e-12)),
+        sharpness = 1.6e-6 * (result.sharpness + 1.0 / max(moments.spread, 1e-12)),
         log_amplitude = 0.0
     ),
     measured

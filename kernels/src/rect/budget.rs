@@ -70,7 +70,11 @@ pub fn rect_shade_error(
 #[kernel]
 pub fn rect_form_factor_error(rectangle: Rectangle, position: Vec3, normal: Vec3) -> f32 {
     let middle = rectangle.position - position;
-    let reach = length(middle) + rectangle.half_x + rectangle.half_y;
+    // A compiler may add the sides before it takes the difference of the positions.
+    let reach = length(middle)
+        + rectangle.half_x
+        + rectangle.half_y
+        + 0.1 * (length(rectangle.position) + length(position));
     let height = max(abs(dot(middle, rectangle.normal)), 1e-12);
     let rise_x = dot(rectangle.tangent, normal);
     let rise_y = dot(cross(rectangle.normal, rectangle.tangent), normal);

@@ -20,7 +20,7 @@ use lobe_codegen::prelude::*;
     family = "reference",
     cite = "[Pharr23] section 6.6",
     domain(u = 0.0..=1.0),
-    budget(6e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y)),
+    budget(7e-7 * (length(rectangle.position) + rectangle.half_x + rectangle.half_y)),
     measured
 )]
 pub fn rectangle_point(rectangle: Rectangle, u: Vec2) -> Vec3 {

@@ -71,7 +71,7 @@ pub fn vsgl_intensity(weight: f32, sharpness: f32) -> f32 {
         mean = 2e-7 * length(origin + positions.mean) + 1e-37,
         variance = 1e-37,
         axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
-        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
+        sharpness = 1.6e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
         intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
     ),
     measured
@@ -105,7 +105,7 @@ pub fn vsgl_from_moments(positions: Moments, origin: Vec3, lobes: Moments, refer
         mean = 2e-7 * length(origin + positions.mean) + 1e-37,
         variance = 1e-37,
         axis = 1e-6 + 1e-6 / max(length(reference + lobes.mean), 1e-6),
-        sharpness = 1.5e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
+        sharpness = 1.6e-6 * (result.sharpness + 1.0 / max(lobes.spread, 1e-12)),
         intensity = 5e-6 * result.intensity + 1e-6 * lobes.weight / lobes.spread + 1e-32
     ),
     variant_of = vsgl_from_moments,
