@@ -17,7 +17,7 @@ const RULES: Rules = Rules {
     subnormal: (Subnormal::MayFlush, FLUSHING),
     rounding: (Rounding::Either, "Vulkan, Correctly Rounded with Implementation-Defined Rounding Mode"),
     contraction: (true, "Vulkan, Evaluation of Expressions: unless decorated NoContraction"),
-    reassociation: (true, "SPIR-V 3.20, Decoration NoContraction: unless so decorated"),
+    reassociation: (true, "Vulkan, Evaluation of Expressions: unless decorated NoContraction (SPIR-V 3.20)"),
     double: (true, DOUBLE),
 };
 

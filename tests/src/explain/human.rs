@@ -127,6 +127,9 @@ fn step(step: &Step) -> String {
     if step.contracted {
         row("", "a product and a sum were contracted, as is permitted");
     }
+    if step.reordered {
+        row("", "the terms of a sum were taken in another order, as is permitted");
+    }
     row("rule", &step.rule);
     out
 }

@@ -1,6 +1,7 @@
 //! Each operation alone: what it may return for the operands that the route itself had.
 
 use super::ExplainError;
+use super::reorder::Sums;
 use super::value::{Place, Value};
 use lobe_backends::interp::{Interpreter, ShadowColumn, ShadowColumns};
 use lobe_codegen::ValidModule;
@@ -72,6 +73,8 @@ pub struct Judged {
     pub scalars: Vec<Local>,
     /// Whether it is permitted only if a product and a sum were contracted.
     pub contracted: bool,
+    /// Whether it is permitted only if the terms of a sum were taken in another order.
+    pub reordered: bool,
 }
 
 /// What an operation read: the expression, and its scalars.
@@ -88,13 +91,15 @@ pub fn judge(module: &ValidModule, values: &[Value]) -> Result<Vec<Judged>, Expl
         let permitted = permitted(&group.operation, &rows, None)?;
         for (row, (value, operands)) in group.executions.into_iter().enumerate() {
             let scalars = scalars(&values[value], &permitted, row);
-            judged.insert(value, Judged { value, operands, scalars, contracted: false });
+            judged.insert(value, Judged { value, operands, scalars, contracted: false, reordered: false });
         }
     }
     let products = products(module, values, &judged);
     for one in judged.values_mut().filter(|one| one.breaks()) {
         one.contract(module, values, &products)?;
     }
+    let sums = Sums::new(module, values, &judged);
+    judged.values_mut().filter(|one| one.breaks()).for_each(|one| one.reorder(&sums));
     Ok(judged.into_values().collect())
 }
 
@@ -185,6 +190,17 @@ impl Judged {
     #[must_use]
     pub fn breaks(&self) -> bool {
         self.scalars.iter().any(|scalar| scalar.breaks())
+    }
+
+    /// Judges again, with the terms of a sum in any order.
+    fn reorder(&mut self, sums: &Sums<'_>) {
+        let mut scalars = self.scalars.clone();
+        for (component, scalar) in scalars.iter_mut().enumerate() {
+            scalar.widen(sums.margin(self.value, component).unwrap_or(0.0));
+        }
+        if !scalars.iter().any(|scalar| scalar.breaks()) {
+            (self.scalars, self.reordered) = (scalars, true);
+        }
     }
 
     /// Judges again, with products among the operands as they are before they are rounded: a driver may contract them.

@@ -19,6 +19,7 @@ pub mod chain;
 pub mod human;
 pub mod line;
 pub mod local;
+mod reorder;
 mod report;
 pub mod rule;
 pub mod share;

@@ -106,6 +106,8 @@ pub struct Step {
     pub permitted_from_arguments: Option<[String; 2]>,
     /// Whether a product and a sum were contracted.
     pub contracted: bool,
+    /// Whether the terms of a sum were taken in another order.
+    pub reordered: bool,
     /// The accuracy rule.
     pub rule: String,
     /// What its own error does to the result.
@@ -278,6 +280,7 @@ impl Found<'_> {
                 Total::Word { wanted, .. } => [wanted, wanted].map(|w| self.shown(value.place, w)),
             }),
             contracted: judged.is_some_and(|j| j.contracted),
+            reordered: judged.is_some_and(|j| j.reordered),
             rule: if exact.is_some() { rule(&own.expressions[expression]) } else { EXACT.to_owned() },
             effect: None,
         }

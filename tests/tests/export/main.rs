@@ -73,7 +73,7 @@ const TRICKY: [(FunctionRef, &str); 5] = {
         lobe_codegen::kernels![mixed, counted, turned, partly_known, larger];
     [
         (mixed, MIXED_ROWS),
-        (counted, "{\"n\": 4294967295}\n{\"n\": 5}"),
+        (counted, "{\"n\": 1431655765}\n{\"n\": 5}"),
         (turned, "{\"frame\": [[0.1, 0.2, 0.3], [1, 2, 3], [-4, 5e-5, 6e5]], \"v\": [0.7, -0.8, 0.9]}"),
         (partly, "{\"x\": 2.5}"),
         (larger, "{\"x\": 2.5, \"n\": 2}\n{\"x\": 2.5, \"n\": 3}"),

@@ -32,7 +32,7 @@ mod tests {
     #[test]
     fn copies_of_all_sizes() {
         for size in [0, 1, 4096, super::PAGE, 3 * super::PAGE + 5] {
-            let bytes: Vec<u8> = (0..size).map(|i| (i * 7 >> 3) as u8).collect();
+            let bytes: Vec<u8> = (0..size).map(|i| ((i * 7) >> 3) as u8).collect();
             assert!(super::copied(&bytes) == bytes, "{size}");
         }
     }

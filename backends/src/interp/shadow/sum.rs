@@ -160,7 +160,7 @@ fn lowest_bit(x: f64) -> i32 {
     if x == 0.0 {
         return i32::MAX;
     }
-    let (power, digits) = ((x.to_bits() >> DIGITS) as i32 & 0x7ff, x.to_bits() | 1 << DIGITS);
+    let (power, digits) = ((x.to_bits() >> DIGITS) as i32 & 0x7ff, x.to_bits() | (1 << DIGITS));
     power - 1023 - DIGITS as i32 + digits.trailing_zeros() as i32
 }
 
