@@ -3,7 +3,7 @@
 use crate::support::module;
 use lobe_backends::interp::{Buffer, Interpreter, Isa};
 
-/// An index as WGSL has it and as Rust has it, of an invocation.
+/// What WGSL computes of an invocation's number, and the same in Rust.
 type Index = (&'static str, fn(u32) -> u32);
 
 fn buffer(binding: u32, words: impl Iterator<Item = u32>) -> Buffer {
@@ -87,6 +87,36 @@ fn loads_do_not_move_over_stores() {
             let word = |at: usize| u32::from_le_bytes(pair[at..at + 4].try_into().unwrap());
             let i = i as u32;
             assert_eq!((word(0), word(4)), ((2 * i + 1) * 2, 2 * i + 1), "{isa}, {i}");
+        }
+    }
+}
+
+/// Elements of a buffer that is too large for caches, stored once each, or not: what is stored is there in the end.
+#[test]
+fn stores_of_large_buffers_arrive() {
+    const WORDS: u32 = (2 << 20) + 37;
+    let whole = |i: u32| 3 * i + 1;
+    let programs: [Index; 5] = [
+        ("out[id.x] = 3u * id.x + 1u;", whole),
+        ("out[id.x] = 7u;", |_| 7),
+        ("if id.x % 5u != 0u { out[id.x] = id.x; }", |i| if i % 5 == 0 { 0 } else { i }),
+        ("out[id.x] = 3u * id.x; out[id.x] += 1u;", whole),
+        ("for (var k = 0u; k < 2u; k++) { out[id.x] = 3u * id.x + k; }", whole),
+    ];
+    for (body, expected) in programs {
+        let module = module(&format!(
+            "@group(0) @binding(0) var<storage, read_write> out: array<u32>;
+            @compute @workgroup_size(64) fn f(@builtin(global_invocation_id) id: vec3<u32>) {{
+                if id.x < arrayLength(&out) {{ {body} }}
+            }}"
+        ));
+        for isa in Isa::available() {
+            let mut buffers = [buffer(0, std::iter::repeat_n(0, WORDS as usize))];
+            let groups = [WORDS.div_ceil(64), 1, 1];
+            Interpreter::new(&module).unwrap().with_isa(isa).run(0, groups, &mut buffers).unwrap();
+            let mut words = buffers[0].data.as_chunks().0.iter().map(|c| u32::from_le_bytes(*c));
+            let wrong = (0..WORDS).zip(&mut words).find(|(i, word)| *word != expected(*i));
+            assert_eq!((wrong, words.next()), (None, None), "{isa}, {body}");
         }
     }
 }

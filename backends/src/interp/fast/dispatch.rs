@@ -12,6 +12,7 @@ mod own;
 use super::super::error::Res;
 use super::super::resources::Resources;
 use super::machine::{Bound, Machine, Position};
+use super::memory::settle;
 use super::{Code, LANES, Stop};
 use bind::Memory;
 use rayon::prelude::*;
@@ -37,7 +38,10 @@ impl Dispatch<'_> {
         let cooperative = self.code.program.cooperative;
         let (total, step) = if cooperative { (workgroups, 1) } else { (workgroups * self.volume(), LANES) };
         let run = |range: Range<usize>| {
-            if cooperative { self.workgroups(memory, range) } else { self.batches(memory, range) }
+            let outcome =
+                if cooperative { self.workgroups(memory, range) } else { self.batches(memory, range) };
+            settle();
+            outcome
         };
         let launch = own::Launch { groups: self.groups, size: self.size, memory };
         let free = order::free(&self.code.program, &launch);

@@ -4,6 +4,7 @@ mod direct;
 mod elements;
 mod evals;
 mod flow;
+mod once;
 
 use super::super::error::{InterpError, Res};
 use super::super::passes::{self, Masks, Owner};
@@ -33,6 +34,8 @@ struct Linker<'p, const N: usize> {
     elements: Vec<memory::Array>,
     /// Registers that hold the number of the invocation along the first axis.
     numbers: HashSet<Value>,
+    /// Buffers that nothing but one store uses.
+    once: HashSet<u32>,
     /// How often each register is read.
     uses: Vec<u32>,
     /// Registers that have been assigned.
@@ -79,6 +82,7 @@ pub(super) fn link<const N: usize>(program: Program, masks: &Masks, isa: Isa) ->
         calls: together::Calls::default(),
         elements: Vec::new(),
         numbers: HashSet::new(),
+        once: once::stored_once(&program),
         uses: passes::uses(&program),
         assigned: HashSet::new(),
         direct: HashMap::new(),

@@ -8,18 +8,22 @@ mod atomic;
 mod atomics;
 mod buffer;
 mod element;
+mod four;
 mod input;
 mod lane;
 mod narrow;
+mod past;
 
 pub(super) use address::{index, length};
 pub(super) use ahead::{Ahead, ahead};
 pub(super) use atomic::atomic;
 pub(super) use atomics::number;
 pub(super) use buffer::{load, load_word, load_words, store};
-pub(super) use element::{Array, load_element, load_four, store_element};
+pub(super) use element::{Array, load_element, store_element};
+pub(super) use four::load_four;
 pub(super) use input::{input, provide, provide_same};
 pub(super) use lane::{lane_load, lane_store};
+pub(super) use past::settle;
 
 use super::machine::Bound;
 

@@ -39,7 +39,7 @@ pub(super) fn for_lanes(program: &mut Program, packed: bool) -> Masks {
 }
 
 /// Calls `f` on each statement, outer ones first.
-fn walk<'a>(block: &'a Block, f: &mut impl FnMut(&'a Stmt)) {
+pub(super) fn walk<'a>(block: &'a Block, f: &mut impl FnMut(&'a Stmt)) {
     for stmt in block {
         f(stmt);
         stmt.blocks().into_iter().flatten().for_each(|inner| walk(inner, f));

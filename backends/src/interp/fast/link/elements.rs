@@ -40,7 +40,8 @@ impl<const N: usize> Linker<'_, N> {
         let Place::Element { buffer, offset, index, count, stride } = place else {
             return None;
         };
-        let array = memory::Array { buffer, count, stride, by_number: self.numbers.contains(&index) };
+        let (by_number, once) = (self.numbers.contains(&index), self.once.contains(&buffer));
+        let array = memory::Array { buffer, count, stride, by_number, once };
         let at = self.elements.iter().position(|a| *a == array).unwrap_or(self.elements.len());
         if at == self.elements.len() {
             self.elements.push(array);

@@ -16,22 +16,25 @@ const FEW: usize = 1024;
 /// How many batches ahead few bytes are asked for.
 const DISTANCE: usize = 4;
 
-/// The lines that a batch of steps is going to ask for, one at each step.
+/// No lines.
+const NONE: Range<*const u8> = std::ptr::null()..std::ptr::null();
+
+/// The lines that a batch of steps is going to ask for, one at each step: of two arrays, one after the other.
 #[derive(Debug, Clone)]
-pub(in super::super) struct Ahead(Range<*const u8>);
+pub(in super::super) struct Ahead([Range<*const u8>; 2]);
 
 impl Ahead {
-    pub(in super::super) const NOTHING: Self = Self(std::ptr::null()..std::ptr::null());
+    pub(in super::super) const NOTHING: Self = Self([NONE; 2]);
 
     /// Asks for a line, if one is left.
     #[inline(always)]
     pub(in super::super) fn step(&mut self) -> bool {
-        let left = self.0.start < self.0.end;
-        if left {
-            ask(self.0.start);
-            self.0.start = self.0.start.wrapping_add(LINE);
-        }
-        left
+        let Some(lines) = self.0.iter_mut().find(|lines| lines.start < lines.end) else {
+            return false;
+        };
+        ask(lines.start);
+        lines.start = lines.start.wrapping_add(LINE);
+        true
     }
 }
 
@@ -55,23 +58,29 @@ fn bytes(elements: Elements, range: Range<usize>) -> Range<*const u8> {
     address(range.start)..address(range.end)
 }
 
-/// Asks for what small elements take in batches to come; the largest are left to the steps of this one.
+/// Asks for what small elements take in batches to come; the two largest are left to the steps of this one.
 pub(in super::super) fn ahead<const N: usize>(m: &Machine<N>) -> Ahead {
     if !m.position.line {
         return Ahead::NOTHING;
     }
     let mut next = Ahead::NOTHING;
-    let mut largest = 0;
+    let mut largest = [0; 2];
     for array in m.arrays.iter().filter(|a: &&Array| a.by_number) {
         let stride = array.stride as usize;
         let distance = if N * stride <= FEW { DISTANCE } else { 1 };
         let first = m.position.first + distance * N;
-        let lines = bytes(Elements::of(m, *array), first..first + N);
+        let elements = Elements::of(m, *array);
+        if elements.past {
+            continue;
+        }
+        let lines = bytes(elements, first..first + N);
         if N * stride <= FEW {
-            let mut few = Ahead(lines);
+            let mut few = Ahead([lines, NONE]);
             while few.step() {}
-        } else if stride > largest {
-            (next, largest) = (Ahead(lines), stride);
+        } else if let Some(at) = largest.iter().position(|other| stride > *other) {
+            largest[at..].rotate_right(1);
+            next.0[at..].rotate_right(1);
+            (next.0[at], largest[at]) = (lines, stride);
         }
     }
     next

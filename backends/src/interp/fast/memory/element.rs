@@ -1,4 +1,4 @@
-//! Elements of arrays at the lanes' indices: 32-bit words of them, up to four neighbours at once.
+//! Elements of arrays at the lanes' indices: 32-bit words of them.
 #![allow(unsafe_code, reason = "memory that other threads may use is reached by pointers")]
 #![allow(
     clippy::needless_range_loop,
@@ -6,9 +6,10 @@
 )]
 
 use super::super::super::program::Count;
-use super::super::machine::{Bound, Lane, Machine};
+use super::super::machine::{Bound, Machine};
 use super::super::shape::{Body, Each, Exec, Same, Source, exec, target};
 use super::super::{Inst, Isa};
+use super::past;
 use std::marker::PhantomData;
 
 /// The elements that a step chooses from.
@@ -19,12 +20,12 @@ pub(in super::super) struct Array {
     pub(in super::super) stride: u32,
     /// Whether the index is the number of the invocation along the first axis.
     pub(in super::super) by_number: bool,
+    /// Whether the program stores its elements once and does no more with its buffer.
+    pub(in super::super) once: bool,
 }
 
 /// `d` = word at `n[1]` of element `s[0]` of array `n[0]`.
 struct Load;
-/// `d`, `s[1]`, `s[2]`, `s[3]` = four words from `n[1]` on of element `s[0]` of array `n[0]`.
-struct LoadFour;
 /// Word at `n[1]` of element `s[0]` of array `n[0]` = `s[1]` in the lanes of mask `s[2]`.
 struct Store<S>(PhantomData<S>);
 
@@ -34,6 +35,8 @@ pub(super) struct Elements {
     pub(super) memory: Bound,
     pub(super) count: u32,
     pub(super) stride: u32,
+    /// Whether stores go past the caches.
+    pub(super) past: bool,
 }
 
 impl Elements {
@@ -47,12 +50,13 @@ impl Elements {
                 (bytes / array.stride.max(1) as usize).min(u32::MAX as usize) as u32
             }
         };
-        Self { memory, count, stride: array.stride }
+        let past = array.once && array.by_number && array.stride == 4 && memory.len >= past::LARGE;
+        Self { memory, count, stride: array.stride, past }
     }
 
     /// Offsets of the lanes' elements.
     #[inline(always)]
-    fn offsets<const N: usize>(self, index: &[u32; N]) -> [u32; N] {
+    pub(super) fn offsets<const N: usize>(self, index: &[u32; N]) -> [u32; N] {
         let last = self.count.saturating_sub(1);
         let mut offsets = [0; N];
         for lane in 0..N {
@@ -63,7 +67,7 @@ impl Elements {
 
     /// Whether `bytes` of each of these elements, from `offset` on, lie in memory.
     #[inline(always)]
-    fn fit<const N: usize>(self, offsets: &[u32; N], offset: u32, bytes: usize) -> bool {
+    pub(super) fn fit<const N: usize>(self, offsets: &[u32; N], offset: u32, bytes: usize) -> bool {
         let furthest = offsets.iter().fold(0, |most: u32, at| most.max(*at));
         furthest as usize + offset as usize + bytes <= self.memory.len
     }
@@ -80,7 +84,7 @@ impl Elements {
 
     /// The place of a word, clamped to memory that has at least one.
     #[inline(always)]
-    fn word(self, at: u32, offset: u32) -> *mut u32 {
+    pub(super) fn word(self, at: u32, offset: u32) -> *mut u32 {
         let last = self.memory.len.saturating_sub(4);
         self.memory.ptr.wrapping_add((at as usize + offset as usize).min(last)).cast()
     }
@@ -97,7 +101,7 @@ fn consecutive<const N: usize>(index: &[u32; N]) -> bool {
 
 /// The array of a step, and whether lanes use consecutive elements for certain.
 #[inline(always)]
-fn array<const N: usize>(m: &Machine<N>, i: &Inst<N>) -> (Elements, bool) {
+pub(super) fn array<const N: usize>(m: &Machine<N>, i: &Inst<N>) -> (Elements, bool) {
     let array = m.arrays[i.n[0] as usize];
     (Elements::of(m, array), array.by_number && m.position.line)
 }
@@ -132,75 +136,6 @@ impl<const N: usize> Body<N> for Load {
     }
 }
 
-impl<const N: usize> Body<N> for LoadFour {
-    #[inline(always)]
-    unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
-        let (elements, _) = array(m, i);
-        // SAFETY: slots as `Body` promises, of which unused results may share one; words lie in memory.
-        unsafe {
-            let index: &[u32; N] = Each::hold(m, i.s[0]);
-            let offsets = elements.offsets(index);
-            let slots: *mut [u32; N] = Lane::slots(m);
-            let to = [i.d, i.s[1], i.s[2], i.s[3]].map(|slot| slots.add(slot as usize).cast::<u32>());
-            if elements.fit(&offsets, i.n[1], 16) {
-                let first = elements.memory.ptr.add(i.n[1] as usize);
-                for lane in (0..N).step_by(4) {
-                    let from =
-                        std::array::from_fn(|k| first.add(offsets[lane + k] as usize).cast_const().cast());
-                    transpose(from, to.map(|t| t.add(lane).cast()));
-                }
-            } else {
-                for (word, to) in to.into_iter().enumerate() {
-                    for lane in 0..N {
-                        let found = elements.memory.len >= 4;
-                        let place = elements.word(offsets[lane], i.n[1] + 4 * word as u32);
-                        to.add(lane).write(if found { place.read_unaligned() } else { 0 });
-                    }
-                }
-            }
-        }
-        at + 1
-    }
-}
-
-/// Four words from four places: to each target the words of the same rank.
-///
-/// # Safety
-/// All exist.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-unsafe fn transpose(from: [*const [u32; 4]; 4], to: [*mut [u32; 4]; 4]) {
-    use std::arch::x86_64::{
-        _mm_loadu_ps, _mm_movehl_ps, _mm_movelh_ps, _mm_storeu_ps, _mm_unpackhi_ps, _mm_unpacklo_ps,
-    };
-    // SAFETY: as the caller promises; the instructions are those of any x86-64.
-    unsafe {
-        let [a, b, c, d] = from.map(|row| _mm_loadu_ps(row.cast()));
-        let (ab, cd) = (_mm_unpacklo_ps(a, b), _mm_unpacklo_ps(c, d));
-        let (ab_high, cd_high) = (_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d));
-        _mm_storeu_ps(to[0].cast(), _mm_movelh_ps(ab, cd));
-        _mm_storeu_ps(to[1].cast(), _mm_movehl_ps(cd, ab));
-        _mm_storeu_ps(to[2].cast(), _mm_movelh_ps(ab_high, cd_high));
-        _mm_storeu_ps(to[3].cast(), _mm_movehl_ps(cd_high, ab_high));
-    }
-}
-
-/// Four words from four places: to each target the words of the same rank.
-///
-/// # Safety
-/// All exist.
-#[cfg(not(target_arch = "x86_64"))]
-#[inline(always)]
-unsafe fn transpose(from: [*const [u32; 4]; 4], to: [*mut [u32; 4]; 4]) {
-    // SAFETY: as the caller promises.
-    unsafe {
-        let rows = from.map(|row| row.read_unaligned());
-        for (word, to) in to.into_iter().enumerate() {
-            to.write_unaligned(rows.map(|row| row[word]));
-        }
-    }
-}
-
 impl<S: Source, const N: usize> Body<N> for Store<S> {
     #[inline(always)]
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
@@ -214,6 +149,9 @@ impl<S: Source, const N: usize> Body<N> for Store<S> {
             let mask: &[u32; N] = Each::hold(m, i.s[2]);
             let full = whole || mask.iter().fold(u32::MAX, |all, m| all & m) == u32::MAX;
             if full && let Some(words) = elements.run(index, ordered, i.n[1]) {
+                if elements.past && past::store::<S, N>(words.cast(), value) {
+                    return at + 1;
+                }
                 for lane in 0..N {
                     words.cast::<u32>().add(lane).write_unaligned(S::get(value, lane));
                 }
@@ -232,10 +170,6 @@ impl<S: Source, const N: usize> Body<N> for Store<S> {
 
 pub(in super::super) fn load_element<const N: usize>(isa: Isa) -> Exec<N> {
     exec::<Load, N>(isa)
-}
-
-pub(in super::super) fn load_four<const N: usize>(isa: Isa) -> Exec<N> {
-    exec::<LoadFour, N>(isa)
 }
 
 pub(in super::super) fn store_element<const N: usize>(value: bool, isa: Isa) -> Exec<N> {

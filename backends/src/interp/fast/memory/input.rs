@@ -14,10 +14,18 @@ impl<const N: usize> Body<N> for Provide {
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
         // SAFETY: as `Body` promises.
         let d: &mut [u32; N] = unsafe { target(m, i.d) };
-        m.provide(i.n, d);
+        if m.position.line && i.n[..2] == NUMBER {
+            let first = m.position.first as u32;
+            d.iter_mut().enumerate().for_each(|(lane, d)| *d = first.wrapping_add(lane as u32));
+        } else {
+            m.provide(i.n, d);
+        }
         at + 1
     }
 }
+
+/// The kind and part of the number of an invocation along the first axis.
+const NUMBER: [u32; 2] = [1, 0];
 
 impl<const N: usize> Machine<N> {
     fn provide(&self, [kind, part, boolean]: [u32; 3], d: &mut [u32; N]) {
@@ -35,10 +43,6 @@ impl<const N: usize> Machine<N> {
             return;
         }
         let axis = part as usize;
-        if kind == 1 && axis == 0 && p.line {
-            d.iter_mut().enumerate().for_each(|(lane, d)| *d = (p.first as u32).wrapping_add(lane as u32));
-            return;
-        }
         self.each_invocation(|lane, local, group, index| {
             d[lane] = match kind {
                 1 => group[axis].wrapping_mul(p.size[axis]).wrapping_add(local[axis]),
