@@ -124,7 +124,7 @@ impl Sampler<'_> {
 
     /// All combinations when they fit; else each slot's edges in turn among random edges of the others.
     fn edge_rows(&mut self, n: usize, is_complete: bool) -> Vec<Vec<u32>> {
-        let counts = self.n_edges();
+        let (counts, numbers) = (self.n_edges(), self.edge_numbers());
         let pick = |row: usize, rng: &mut Rng| -> Vec<Option<usize>> {
             let mut rest = row;
             let turn = row % counts.len().max(1);
@@ -142,15 +142,27 @@ impl Sampler<'_> {
         (0..n)
             .map(|row| {
                 let picks = pick(row, &mut self.rng);
-                self.row(|this, slot, earlier| this.edge_or_random(slot, picks[slot], earlier))
+                self.row(|this, slot, earlier| {
+                    this.edge_or_random(slot, picks[slot].map(|index| (index, &numbers[slot][..])), earlier)
+                })
             })
             .collect()
     }
 
-    fn edge_or_random(&mut self, slot: usize, pick: Option<usize>, earlier: &[Drawn]) -> Vec<u32> {
-        let Some(index) = pick else { return self.random(slot, earlier) };
+    /// Edge values of each slot that is a number.
+    fn edge_numbers(&self) -> Vec<Vec<u32>> {
+        let words = |slot: &Slot| match slot {
+            Slot::Number { scalar, values, .. } => number::edges(*scalar, values),
+            Slot::Unit { .. } => Vec::new(),
+        };
+        self.slots.iter().map(words).collect()
+    }
+
+    /// `pick`: the rank of an edge case, and those of a number.
+    fn edge_or_random(&mut self, slot: usize, pick: Option<(usize, &[u32])>, earlier: &[Drawn]) -> Vec<u32> {
+        let Some((index, numbers)) = pick else { return self.random(slot, earlier) };
         match &self.slots[slot] {
-            Slot::Number { scalar, values, .. } => vec![number::edges(*scalar, values)[index]],
+            Slot::Number { .. } => vec![numbers[index]],
             Slot::Unit { n, relation: Relation::Free, .. } => {
                 bits(unit::edge(*n, index, &peers(earlier), &mut self.rng))
             }

@@ -60,8 +60,11 @@ impl Terms {
 
     /// Whether each partial sum is a number of the format, so that none is rounded or flushed.
     fn are_exact<P: Precision>(self) -> bool {
-        let unit = libm::ldexp(1.0, self.quantum);
-        self.quantum != NO_QUANTUM && unit >= P::MIN_NORMAL && self.partial() * P::ULP <= unit
+        if self.quantum == NO_QUANTUM {
+            return false;
+        }
+        let unit = power_of_two(self.quantum);
+        unit >= P::MIN_NORMAL && self.partial() * P::ULP <= unit
     }
 }
 
@@ -151,6 +154,15 @@ pub(super) fn either(a: Float, b: Float) -> Terms {
         negative: a.negative.max(b.negative),
         roundings: a.roundings.max(b.roundings),
         quantum: a.quantum.min(b.quantum),
+    }
+}
+
+/// 2 to this power, 0 below the normal numbers.
+fn power_of_two(power: i32) -> f64 {
+    match power {
+        -1022..=1023 => f64::from_bits(((power + 1023) as u64) << (f64::MANTISSA_DIGITS - 1)),
+        1024.. => f64::INFINITY,
+        _ => 0.0,
     }
 }
 

@@ -190,7 +190,7 @@ impl Tape {
     /// The number as a sum takes it, and its rounding, which the sum answers for.
     pub(super) fn summand(&mut self, number: Float) -> (Float, f64) {
         match self.step(number) {
-            Some(step) if step.kind == Kind::Part => {
+            Some(step) if step.kind == Kind::Part && step.rounding > 0.0 => {
                 (self.push(Step { rounding: 0.0, ..step }, number), step.rounding)
             }
             Some(_) | None => (number, 0.0),
