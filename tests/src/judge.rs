@@ -21,8 +21,9 @@ use lobe_backends::interp::ShadowColumns;
 use lobe_backends::route::Route;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
-use lobe_codegen::def::FunctionRef;
+use lobe_codegen::def::{FunctionDef, FunctionRef};
 use std::path::PathBuf;
+use std::thread::Scope;
 
 /// Rows judged at once: enough to occupy every thread and driver, little enough to show progress.
 const BATCH: usize = 8192;
@@ -83,6 +84,61 @@ pub enum JudgeError {
     },
 }
 
+/// A kernel and the inputs to judge it with.
+#[derive(Debug)]
+pub struct Prepared {
+    kernel: FunctionRef,
+    ready: Result<(Subject, Inputs), JudgeError>,
+}
+
+impl Prepared {
+    /// Lowers `kernel` and draws its inputs; what keeps it from that is part of the judgement.
+    #[must_use]
+    pub fn new(kernel: FunctionRef, plan: &Plan) -> Self {
+        Self { kernel, ready: prepare(kernel, plan) }
+    }
+
+    /// Prepares `kernels`, each while the one before it is judged.
+    pub fn each<'scope>(
+        scope: &'scope Scope<'scope, '_>,
+        kernels: impl IntoIterator<Item = FunctionRef>,
+        plan: &'scope Plan,
+    ) -> impl Iterator<Item = Self> {
+        one_ahead(scope, kernels.into_iter(), move |kernel| Self::new(kernel, plan))
+    }
+
+    /// The kernel.
+    #[must_use]
+    pub fn def(&self) -> &'static FunctionDef {
+        (self.kernel)()
+    }
+}
+
+fn prepare(kernel: FunctionRef, plan: &Plan) -> Result<(Subject, Inputs), JudgeError> {
+    let subject = Subject::new(kernel)?.with_accuracy(plan.accuracy);
+    if subject.program().results().is_empty() {
+        return Err(JudgeError::NoResult { kernel: subject.def().name });
+    }
+    let listed = plan.cases.listed(subject.def())?;
+    let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
+    Ok((subject, inputs))
+}
+
+/// Makes something of each item on another thread, while the caller is busy with the one before it.
+fn one_ahead<'scope, T: Send + 'scope, R: Send + 'scope>(
+    scope: &'scope Scope<'scope, '_>,
+    mut items: impl Iterator<Item = T>,
+    make: impl Fn(T) -> R + Copy + Send + 'scope,
+) -> impl Iterator<Item = R> {
+    let begin = move |item| scope.spawn(move || make(item));
+    let mut next = items.next().map(begin);
+    std::iter::from_fn(move || {
+        let made = next.take()?.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        next = items.next().map(begin);
+        Some(made)
+    })
+}
+
 /// Judges `kernel` on `routes`; what keeps it from being judged becomes an answer that falls short.
 ///
 /// `progress` is called with the number of rows done.
@@ -92,8 +148,18 @@ pub fn judge(
     routes: &mut [Box<dyn Executor>],
     progress: &dyn Fn(usize),
 ) -> KernelReport {
-    let mut report = KernelReport::new(kernel());
-    match answers(kernel, plan, routes, progress, &mut report) {
+    judge_prepared(Prepared::new(kernel, plan), plan, routes, progress)
+}
+
+/// The same, of a kernel that was prepared with the same plan.
+pub fn judge_prepared(
+    prepared: Prepared,
+    plan: &Plan,
+    routes: &mut [Box<dyn Executor>],
+    progress: &dyn Fn(usize),
+) -> KernelReport {
+    let mut report = KernelReport::new(prepared.def());
+    match prepared.ready.and_then(|ready| answers(ready, plan, routes, progress, &mut report)) {
         Ok(answers) => report.answers = answers,
         Err(error) => {
             let verdict = Verdict::FallsShort(error.to_string());
@@ -104,18 +170,12 @@ pub fn judge(
 }
 
 fn answers(
-    kernel: FunctionRef,
+    (subject, inputs): (Subject, Inputs),
     plan: &Plan,
     routes: &mut [Box<dyn Executor>],
     progress: &dyn Fn(usize),
     report: &mut KernelReport,
 ) -> Result<Vec<Answer>, JudgeError> {
-    let subject = Subject::new(kernel)?.with_accuracy(plan.accuracy);
-    if subject.program().results().is_empty() {
-        return Err(JudgeError::NoResult { kernel: subject.def().name });
-    }
-    let listed = plan.cases.listed(subject.def())?;
-    let inputs = Inputs::draw(subject.def(), plan.inputs, plan.seed, &listed)?;
     report.take_inputs(&inputs);
     let mut questions = Questions::new(routes, plan.sanitize);
     let mut hunt = plan.search.map(|limit| (Hunt::default(), limit));
@@ -154,16 +214,10 @@ pub(crate) fn each_batch(
     take: &mut dyn FnMut(&Batch<'_>),
 ) -> Result<(), JudgeError> {
     std::thread::scope(|scope| {
-        let begin = |start: usize| {
-            let args = args.slice(start..(start + BATCH).min(args.rows));
-            scope.spawn(move || Bounded::new(subject, args))
-        };
-        let mut starts = (0..args.rows).step_by(BATCH);
-        let mut next = starts.next().map(begin);
-        while let Some(current) = next {
-            let Bounded { args, shadow, permitted } =
-                current.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-            next = starts.next().map(begin);
+        let starts = (0..args.rows).step_by(BATCH);
+        let batches = starts.map(|start| args.slice(start..(start + BATCH).min(args.rows)));
+        for bounded in one_ahead(scope, batches, |args| Bounded::new(subject, args)) {
+            let Bounded { args, shadow, permitted } = bounded?;
             let outputs: Vec<_> = routes
                 .iter_mut()
                 .map(|r| (r.route().clone(), r.run(subject.program(), &args).map_err(|e| e.to_string())))

@@ -9,7 +9,7 @@ use crate::select;
 use lobe_codegen::accuracy::Model;
 use lobe_tests::cases::Cases;
 use lobe_tests::expectation;
-use lobe_tests::judge::{Plan, judge};
+use lobe_tests::judge::{Plan, Prepared, judge_prepared};
 use lobe_tests::oracle::Mapping;
 use lobe_tests::report::part::Share;
 use lobe_tests::report::{KernelReport, Report, human, json, junit};
@@ -90,22 +90,21 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         kernels = kernels.into_iter().enumerate().filter(|(at, _)| share.has(*at)).map(|(_, k)| k).collect();
     }
     let bar = output::progress(kernels.len() * plan.inputs);
-    for kernel in kernels {
-        bar.set_message(kernel().name);
-        let found = judge(kernel, &plan, &mut opened.executors, &|rows| bar.inc(rows as u64));
-        if args.format == Format::Human {
-            bar.suspend(|| {
-                output::print(&human::render_kernel(
-                    &found,
-                    human::Style { worst: args.worst, ..output::style() },
-                ))
-            })?;
+    std::thread::scope(|scope| {
+        for kernel in Prepared::each(scope, kernels, &plan) {
+            bar.set_message(kernel.def().name);
+            let found = judge_prepared(kernel, &plan, &mut opened.executors, &|rows| bar.inc(rows as u64));
+            if args.format == Format::Human {
+                let style = human::Style { worst: args.worst, ..output::style() };
+                bar.suspend(|| output::print(&human::render_kernel(&found, style)))?;
+            }
+            if args.keep {
+                keep(&plan.cases, &found)?;
+            }
+            report.kernels.push(found);
         }
-        if args.keep {
-            keep(&plan.cases, &found)?;
-        }
-        report.kernels.push(found);
-    }
+        Ok::<_, Fail>(())
+    })?;
     bar.finish_and_clear();
     report.skipped = opened.skipped;
     finish(&report, args.format, &args.files)
