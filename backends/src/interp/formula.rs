@@ -76,6 +76,11 @@ pub(super) fn radians<M: Model>(m: &M, x: M::F) -> M::F {
     m.mul(x, m.constant(0.017453292519943295474))
 }
 
+/// Of a number. Its magnitude is permitted too.
+pub(super) fn length<M: Model>(m: &M, x: M::F) -> M::F {
+    m.sqrt(m.square(x))
+}
+
 pub(super) fn fma<M: Model>(m: &M, x: M::F, y: M::F, z: M::F) -> M::F {
     m.add(m.mul(x, y), z)
 }

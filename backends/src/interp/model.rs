@@ -210,6 +210,7 @@ operations! {
         atanh(x);
         degrees(x);
         radians(x);
+        length(x);
         fma(x y z);
         mix(x y t);
         smoothstep(low high x);

@@ -156,6 +156,9 @@ impl Model for Strict {
     fn neg(&self, a: f32) -> f32 {
         -a
     }
+    fn length(&self, a: f32) -> f32 {
+        a.abs()
+    }
     native! {
         abs(a); min(a b); max(a b); sign(a); ceil(a); floor(a); round(a); trunc(a); fract(a); step(edge x);
         clamp(x low high); saturate(x); sqrt(a); inverse_sqrt(a); exp(a); exp2(a); log(a); log2(a); pow(x y);

@@ -35,6 +35,15 @@ fn division_costs_two_and_a_half_ulp_and_needs_an_ordinary_divisor() {
     }
 }
 
+/// The length of a number may be the root of its square, which leaves the range sooner.
+#[test]
+fn the_length_of_a_number_has_the_bound_of_a_root() {
+    let text = "fn f(a: f32) -> f32 { return length(a); }";
+    let (value, exact, bound) = one(text, &[-3.0]);
+    assert!((value, exact) == (3.0, 3.0) && bound > 0.0 && bound < 20.0 * ULP, "{bound}");
+    assert_eq!(one(text, &[-3e19]), (3e19, f64::from(3e19_f32), f64::INFINITY));
+}
+
 #[test]
 fn cancellation_shows_in_the_bound() {
     let (_, exact, bound) =

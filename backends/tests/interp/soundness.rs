@@ -241,6 +241,8 @@ pub(crate) const CALLS: &[&str] = &[
     "mix(a, b, 0.3)",
     "smoothstep(a, b, 0.7)",
     "clamp(a, b, 1.0)",
+    "length(a)",
+    "distance(a, b)",
     "dot(vec2(a, b), vec2(b, 0.1))",
     "distance(vec2(a, b), vec2(b, a))",
     "normalize(vec2(a, b)).x",

@@ -64,6 +64,7 @@ impl<M: Model> Machine<'_, M> {
             O::Atanh => self.one(args, to, |a| m.atanh(a)),
             O::Degrees => self.one(args, to, |a| m.degrees(a)),
             O::Radians => self.one(args, to, |a| m.radians(a)),
+            O::Length => self.one(args, to, |a| m.length(a)),
             O::Fma => self.three(args, to, |a, b, c| m.fma(a, b, c)),
             O::Mix => self.three(args, to, |a, b, c| m.mix(a, b, c)),
             O::SmoothStep => self.three(args, to, |a, b, c| m.smoothstep(a, b, c)),

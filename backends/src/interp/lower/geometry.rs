@@ -54,7 +54,7 @@ impl Lowerer<'_> {
     /// `sqrt(dot(x, x))`; of a scalar, its magnitude.
     pub(crate) fn length(&mut self, x: &[Value]) -> Res<Value> {
         match x {
-            [x] => Ok(self.b.float_op(FloatOp::Abs, &[*x])),
+            [x] => Ok(self.b.float_op(FloatOp::Length, &[*x])),
             x => {
                 let squared = self.dot(x, x)?;
                 Ok(self.b.float_op(FloatOp::Sqrt, &[squared]))

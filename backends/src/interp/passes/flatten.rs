@@ -102,6 +102,7 @@ fn float_weight(op: FloatOp) -> u32 {
         | F::Saturate
         | F::Degrees
         | F::Radians
+        | F::Length
         | F::Fma
         | F::Mix => 1,
         F::Div | F::Sqrt | F::SmoothStep => 5,

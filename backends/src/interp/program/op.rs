@@ -111,6 +111,8 @@ pub(crate) enum FloatOp {
     Atanh,
     Degrees,
     Radians,
+    /// Of a number: its magnitude.
+    Length,
     Fma,
     Mix,
     SmoothStep,

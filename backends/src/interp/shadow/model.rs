@@ -264,6 +264,10 @@ impl<P: Precision> Model for Shadow<P> {
     fn radians(&self, a: Float) -> Float {
         formed::<P>(FloatOp::Radians, [a, a, a], formula::radians(self, a))
     }
+    /// The magnitude, or a root of a square that may have left the range.
+    fn length(&self, a: Float) -> Float {
+        self.hull(self.abs(a), formula::length(self, a))
+    }
     fn fract(&self, a: Float) -> Float {
         let part = pieces::fract::<P>(a);
         if a.low.floor() == a.high.floor() {

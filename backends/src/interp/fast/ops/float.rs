@@ -97,7 +97,7 @@ pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
         FloatOp::Neg => one::<Neg, N>(ask),
         FloatOp::Square => one::<Square, N>(ask),
         FloatOp::Nonnegative => one::<Nonnegative, N>(ask),
-        FloatOp::Abs => one::<Abs, N>(ask),
+        FloatOp::Abs | FloatOp::Length => one::<Abs, N>(ask),
         FloatOp::Min => two::<Min, N>(ask),
         FloatOp::Max => two::<Max, N>(ask),
         FloatOp::Sign => one::<Sign, N>(ask),

@@ -94,7 +94,7 @@ macro_rules! forms {
 }
 
 forms! {
-    one Single: Neg Square Nonnegative Abs Sign Ceil Floor Round Trunc Fract Saturate Sqrt Degrees Radians;
+    one Single: Neg Square Nonnegative Abs Sign Ceil Floor Round Trunc Fract Saturate Sqrt Degrees Radians Length;
     one_plain Single: InverseSqrt Exp Exp2 Log Log2 Sin Cos Tan Asin Acos Atan Sinh Cosh Tanh Asinh Acosh Atanh
         Significand;
     two_alike Pair: Add Sub Mul Div Min Max Step;
