@@ -47,6 +47,25 @@ fn an_index_beyond_the_end_is_found() {
     check(kind, 10, &format!("if g == 0u {{ {} }}", text("7u")), &format!("if g == 0u {{ {} }}", text("6u")));
 }
 
+/// A known index is as far out as one that is computed, where the buffer says how long the array is.
+#[test]
+fn a_known_index_beyond_a_runtime_array_is_found() {
+    let found = |index: u32| {
+        let module = module(&format!(
+            "struct Items {{ count: u32, items: array<array<u32, 2>> }}
+            @group(0) @binding(0) var<storage, read_write> all: Items;
+            @compute @workgroup_size(1) fn main() {{ all.items[{index}][1] = all.count; }}"
+        ));
+        let mut buffers = [buffer(0, &[0; 7])];
+        let interpreter = Interpreter::new(&module).unwrap();
+        let found = interpreter.sanitize(0, [1; 3], &mut buffers, EVERYTHING).unwrap();
+        found.iter().map(|f| f.kind).collect::<Vec<_>>()
+    };
+    assert_eq!(found(2), []);
+    assert_eq!(found(3), [Fault::OutOfBounds]);
+    assert_eq!(found(100_000), [Fault::OutOfBounds]);
+}
+
 #[test]
 fn races_within_a_workgroup_are_found() {
     let kind = Fault::Race;

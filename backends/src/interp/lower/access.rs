@@ -25,6 +25,7 @@ impl<'m> Lowerer<'m> {
         index: u32,
     ) -> Res<Item> {
         if let Some(Item::Pointer(pointer)) = &frame.values[base.index()] {
+            self.index_of_elements(pointer, index)?;
             let (shape, units) = self.types().member(pointer.shape, index, self.packing(pointer.root))?;
             let offset = pointer.offset.saturating_add(units);
             return Ok(Item::Pointer(Pointer { offset, shape, ..*pointer }));
@@ -72,6 +73,18 @@ impl<'m> Lowerer<'m> {
         if !is_inside {
             self.b.index(None, index, Count::Fixed(count), 1);
         }
+    }
+
+    /// The same of an array whose length is known only when it runs.
+    fn index_of_elements(&mut self, pointer: &Pointer, index: u32) -> Res<()> {
+        let packing = self.packing(pointer.root);
+        if let Ok(parts) = self.types().parts(pointer.shape, packing)
+            && parts.count.is_none()
+        {
+            let (index, count) = (self.b.u32(index), pointer.runtime()?);
+            self.b.index(None, index, count, parts.stride);
+        }
+        Ok(())
     }
 
     fn access_memory(&mut self, pointer: &Pointer, index: Value) -> Res<Pointer> {
