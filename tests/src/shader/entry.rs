@@ -290,7 +290,9 @@ fn compare_all(
         let stated = within.iter().rev().find(|(name, _)| given.is_called(name)).map(|(_, bound)| *bound);
         let permit =
             |at, scalar: naga::Scalar| match (machine::permit(bounds, given, at, scalar, theirs), stated) {
-                (Permit::Unknown, Some(bound)) if number::is_float(scalar) => {
+                (Permit::Unknown | Permit::Around { bound: f64::INFINITY, .. }, Some(bound))
+                    if number::is_float(scalar) =>
+                {
                     let exact = number::float(scalar.width, &ours[at..at + usize::from(scalar.width)]);
                     Permit::Around { exact, bound }
                 }
