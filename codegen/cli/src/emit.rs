@@ -21,7 +21,7 @@ pub(crate) struct Args {
     /// Emit every kernel
     #[arg(long)]
     all: bool,
-    /// Language: wgsl, spirv or hlsl; more than one may be given
+    /// Language: wgsl, spirv, hlsl, glsl, essl or msl; more than one may be given
     #[arg(long = "target", value_name = "TARGET", required = true)]
     targets: Vec<Target>,
     /// Functions to include, or a complete compute shader for each kernel

@@ -122,7 +122,7 @@ fn one_kernel_goes_to_standard_output_and_two_do_not() {
         &["one kernel and one target"],
     );
     assert_fails(&lobe(&["emit", "erf", "--target", "spirv", "--out", "-"]), 2, &["--form entry"]);
-    assert_fails(&lobe(&["emit", "erf", "--target", "metal"]), 2, &["metal"]);
+    assert_fails(&lobe(&["emit", "erf", "--target", "dxbc"]), 2, &["dxbc"]);
     assert_fails(&lobe(&["emit", "--target", "wgsl"]), 2, &["--all"]);
 }
 

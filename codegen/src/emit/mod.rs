@@ -1,4 +1,4 @@
-//! From a [`ValidModule`] to what a user gets: WGSL or HLSL text, SPIR-V words.
+//! From a [`ValidModule`] to what a user gets: WGSL, HLSL, GLSL or MSL text, SPIR-V words.
 //!
 //! naga's writers do the translation; what is done here is what they leave undone.
 //!
@@ -17,14 +17,17 @@ mod calls;
 mod clash;
 mod docs;
 pub mod entry;
+mod glsl;
 mod hlsl;
 mod layouts;
 mod mark;
+mod msl;
 mod plain;
 pub mod reflect;
 mod rename;
 mod scan;
 mod scope;
+mod slots;
 mod spirv;
 mod tidy;
 mod wgsl;
@@ -47,27 +50,64 @@ pub enum Target {
     Spirv,
     /// HLSL text for shader model 6.0.
     Hlsl,
+    /// GLSL 4.50 text, for Vulkan and OpenGL.
+    Glsl,
+    /// GLSL ES 3.10 text.
+    Essl,
+    /// MSL 2.4 text, for Metal.
+    Msl,
 }
 
 impl Target {
     /// All targets.
-    pub const ALL: [Self; 3] = [Self::Wgsl, Self::Spirv, Self::Hlsl];
+    pub const ALL: [Self; 6] = [Self::Wgsl, Self::Spirv, Self::Hlsl, Self::Glsl, Self::Essl, Self::Msl];
 
-    /// Its name: `wgsl`, `spirv`, `hlsl`.
+    /// Those that are text, which may be a library of functions to include.
+    pub const TEXTS: [Self; 5] = [Self::Wgsl, Self::Hlsl, Self::Glsl, Self::Essl, Self::Msl];
+
+    /// Its name: `wgsl`, `spirv`, `hlsl`, `glsl`, `essl`, `msl`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
             Self::Spirv => "spirv",
             Self::Hlsl => "hlsl",
+            Self::Glsl => "glsl",
+            Self::Essl => "essl",
+            Self::Msl => "msl",
         }
     }
 
-    /// The extension of its files: `wgsl`, `spv`, `hlsl`.
+    /// Its name as its language is written: `WGSL`, `SPIR-V`, `HLSL`, `GLSL`, `GLSL ES`, `MSL`.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Wgsl => "WGSL",
+            Self::Spirv => "SPIR-V",
+            Self::Hlsl => "HLSL",
+            Self::Glsl => "GLSL",
+            Self::Essl => "GLSL ES",
+            Self::Msl => "MSL",
+        }
+    }
+
+    /// The extension of its files: `wgsl`, `spv`, `hlsl`, `glsl`, `essl`, `metal`.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
             Self::Spirv => "spv",
             Self::Hlsl => "hlsl",
+            Self::Glsl => "glsl",
+            Self::Essl => "essl",
+            Self::Msl => "metal",
+        }
+    }
+
+    /// What it calls an entry point that is declared as `name`.
+    ///
+    /// GLSL has but one a file, `main`.
+    pub fn entry_name(self, name: &str) -> &str {
+        match self {
+            Self::Wgsl | Self::Spirv | Self::Hlsl | Self::Msl => name,
+            Self::Glsl | Self::Essl => glsl::ENTRY,
         }
     }
 }
@@ -118,7 +158,7 @@ impl Content {
 /// An entry point of an artifact.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EntryInfo {
-    /// Its name, in every target.
+    /// Its name in this target ([`Target::entry_name`]).
     pub name: String,
     /// Invocations in a workgroup.
     pub workgroup_size: [u32; 3],
@@ -160,17 +200,56 @@ impl Default for Options {
 #[derive(Debug, thiserror::Error)]
 pub enum EmitError {
     /// No such target.
-    #[error("there is no target `{0}`; the targets are wgsl, spirv and hlsl")]
+    #[error("there is no target `{0}`; the targets are wgsl, spirv, hlsl, glsl, essl and msl")]
     UnknownTarget(String),
     /// A name is refused, missing, or taken by something else.
     #[error(transparent)]
     Name(#[from] ClashError),
+    /// A target that no route takes.
+    #[error("nothing here runs {0}: it can be emitted, but not executed")]
+    NotRun(Target),
     /// SPIR-V of a library.
     #[error(
         "the module has no entry point, and Vulkan takes no SPIR-V without one; emit the entry form \
          (`--form entry`), or a text target"
     )]
     NoEntry,
+    /// A language whose files have one entry point each.
+    #[error(
+        "{target} has one entry point a file, a compute shader's; the module has {}: emit them one by one",
+        names.join(", ")
+    )]
+    ManyEntries {
+        /// The entry points.
+        names: Vec<String>,
+        /// The target.
+        target: Target,
+    },
+    /// Two resources that differ in their group alone, in a language without groups.
+    #[error(
+        "`{first}` and `{second}` both have binding {binding}, and {target} has no groups that tell them apart; give \
+         one of them another number"
+    )]
+    Groups {
+        /// The first.
+        first: String,
+        /// The second.
+        second: String,
+        /// The number of both.
+        binding: u32,
+        /// The target.
+        target: Target,
+    },
+    /// A number that the writer has no room for.
+    #[error("`{name}` has binding {binding}; in {target} numbers go to 255, so give it a smaller one")]
+    Binding {
+        /// The resource.
+        name: String,
+        /// Its number.
+        binding: u32,
+        /// The target.
+        target: Target,
+    },
     /// The writer says no.
     #[error("naga's {target} writer refuses the module: {message}")]
     Writer {
@@ -207,9 +286,14 @@ pub fn emit(module: &ValidModule, target: Target, options: &Options) -> Result<A
     let content = match target {
         Target::Wgsl => Content::Text(wgsl::write(module, options)?),
         Target::Hlsl => Content::Text(hlsl::write(module, options)?),
+        Target::Glsl | Target::Essl => Content::Text(glsl::write(module, target, options)?),
+        Target::Msl => Content::Text(msl::write(module, options)?),
         Target::Spirv => Content::Words(spirv::write(module)?),
     };
-    let entry = |e: &naga::EntryPoint| EntryInfo { name: e.name.clone(), workgroup_size: e.workgroup_size };
+    let entry = |e: &naga::EntryPoint| EntryInfo {
+        name: target.entry_name(&e.name).to_owned(),
+        workgroup_size: e.workgroup_size,
+    };
     Ok(Artifact {
         target,
         content,
@@ -240,7 +324,7 @@ mod tests {
             assert_eq!(target.name().parse::<Target>().unwrap(), target);
             assert_eq!(target.extension().to_uppercase().parse::<Target>().unwrap(), target);
         }
-        assert!("glsl".parse::<Target>().unwrap_err().to_string().contains("the targets are"));
+        assert!("metal-ir".parse::<Target>().unwrap_err().to_string().contains("the targets are"));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Names are of no matter here, so none is kept or refused but the entry point's.
 //! What lies outside a buffer or an array is nobody's own affair: every access is kept inside.
 
+mod glsl;
 mod hlsl;
 
 pub use hlsl::immediates_place as immediates_in_hlsl;
@@ -29,7 +30,7 @@ pub struct Plain {
 /// Writes `module` for `target`, for running its compute entry point `entry` by so many `workgroups`.
 ///
 /// # Errors
-/// When there is no such entry point, or the target cannot express the module.
+/// When there is no such entry point, the target cannot express the module, or nothing here runs it.
 pub fn plain(
     module: &ValidModule,
     target: Target,
@@ -58,6 +59,11 @@ pub fn plain(
             guarded(target, || Ok::<_, String>(layouts::check(&renamed, &text)))??;
             Ok(Plain { content: Content::Text(text), entry: ENTRY.to_owned() })
         }
+        Target::Glsl => {
+            let text = glsl::write(module, index)?;
+            Ok(Plain { content: Content::Text(text), entry: super::glsl::ENTRY.to_owned() })
+        }
+        Target::Essl | Target::Msl => Err(EmitError::NotRun(target)),
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) enum PieceKind {
     Word,
     /// The same behind a dot: a member, a method or a swizzle.
     Selector,
-    /// A number, a comment or a string: never renamed.
+    /// A number, a comment, a string or a line of the preprocessor: never renamed.
     Opaque,
     /// Blanks.
     Space,
@@ -80,7 +80,7 @@ fn measure(rest: &str, first: char) -> (PieceKind, usize) {
     if first.is_whitespace() {
         return (PieceKind::Space, run(char::is_whitespace));
     }
-    let length = if rest.starts_with("//") {
+    let length = if rest.starts_with("//") || first == '#' {
         rest.find('\n')
     } else if rest.starts_with("/*") {
         rest.find("*/").map(|i| i + 2)
@@ -104,7 +104,8 @@ fn string_length(rest: &str) -> Option<usize> {
     None
 }
 
-/// Cuts pieces into items: each ends with a `;` outside of braces, or with the brace that closes it.
+/// Cuts pieces into items: each ends with a `;` outside of braces, or with the brace that closes it; a line of the
+/// preprocessor is one.
 pub(super) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
     let mut out = Vec::new();
     let (mut start, mut depth) = (0, 0usize);
@@ -119,6 +120,7 @@ pub(super) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
                 depth == 0 && next_text(pieces, i) != Some(";")
             }
             (PieceKind::Mark, ";") => depth == 0,
+            (PieceKind::Opaque, line) => line.starts_with('#') && depth == 0,
             _ => false,
         };
         if ends {

@@ -14,9 +14,13 @@ pub(super) fn finish(
     target: Target,
     options: &Options,
 ) -> Result<String, EmitError> {
+    let (version, raw) = version(raw);
     let pieces = scan::pieces(raw);
     let renamer = Renamer::new(module, marks, target, &pieces)?;
-    let mut out = if options.header { header(module, target, options) } else { String::new() };
+    let mut out = version.to_owned();
+    if options.header {
+        out.push_str(&header(module, target, options));
+    }
     let mut former_is_line = false;
     for pieces in scan::items(&pieces) {
         let item = renamer.item(pieces, options.docs)?;
@@ -29,6 +33,12 @@ pub(super) fn finish(
         former_is_line = is_line;
     }
     Ok(out)
+}
+
+/// The line that some languages want to be the first of all, and the rest.
+fn version(raw: &str) -> (&str, &str) {
+    let end = raw.find('\n').map_or(0, |i| i + 1);
+    if raw.starts_with("#version ") { raw.split_at(end) } else { ("", raw) }
 }
 
 /// The item under its doc comment, and whether it is a single line.

@@ -23,7 +23,7 @@ fn every_function_of_values_gets_an_entry_point_in_every_target() {
         for target in Target::ALL {
             let artifact = artifact(&module, target);
             assert_eq!(artifact.entries.len(), 1);
-            assert_eq!(artifact.entries[0].name, layout.entry_name);
+            assert_eq!(artifact.entries[0].name, target.entry_name(&layout.entry_name));
             assert_eq!(artifact.entries[0].workgroup_size, [64, 1, 1]);
         }
     }

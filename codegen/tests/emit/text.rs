@@ -22,7 +22,7 @@ fn doc_comments_stand_above_what_they_document() {
     ] {
         assert!(hlsl.contains(block), "{block}\n{hlsl}");
     }
-    for target in [Target::Wgsl, Target::Hlsl] {
+    for target in Target::TEXTS {
         assert_eq!(text(&rich(), target).matches("Twice π").count(), 1, "{target}");
         let bare =
             emit(&rich(), target, &Options { docs: false, header: false, ..Options::default() }).unwrap();
@@ -52,7 +52,7 @@ fn a_doc_comment_cannot_leave_its_comment() {
     naga.get_or_insert_default_doc_comments().functions.insert(handle, evil);
     let valid =
         lobe_codegen::validate::validate(naga, Default::default()).map_err(|e| e.to_string()).unwrap();
-    for target in [Target::Wgsl, Target::Hlsl] {
+    for target in Target::TEXTS {
         let out = emit(&valid, target, &Options::default()).unwrap();
         let text = out.content.text().unwrap();
         assert!(text.contains("/// tail\n/// a fn evil() {}\n/// lobeqaaaaa\n"), "{target}\n{text}");
@@ -87,7 +87,7 @@ fn the_header_says_who_wrote_it_and_how_to_write_it_again() {
 
 #[test]
 fn the_text_is_tidy() {
-    for target in [Target::Wgsl, Target::Hlsl] {
+    for target in Target::TEXTS {
         let text = text(&rich(), target);
         assert!(text.ends_with("}\n") && !text.ends_with("\n\n"), "{target}");
         assert!(

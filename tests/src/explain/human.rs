@@ -1,7 +1,6 @@
 //! An explanation as text.
 
 use super::{Decision, Explanation, Outcome, Step};
-use lobe_codegen::emit::Target;
 use std::fmt::Write;
 
 /// The report, a line feed at its end.
@@ -98,12 +97,7 @@ fn step(step: &Step) -> String {
     };
     row("naga", &format!("{}: {}", step.function, step.naga));
     for line in &step.lines {
-        let name = match line.target {
-            Target::Wgsl => "WGSL",
-            Target::Spirv => "SPIR-V",
-            Target::Hlsl => "HLSL",
-        };
-        row(name, &format!("line {}: {}", line.line, line.text));
+        row(line.target.title(), &format!("line {}: {}", line.line, line.text));
     }
     for operand in &step.operands {
         let name = operand.rust.as_deref().map(|t| format!("{t} = ")).unwrap_or_default();

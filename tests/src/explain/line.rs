@@ -15,6 +15,9 @@ use rspirv::binary::Disassemble;
 /// Invocations in a workgroup of the entry point, as routes have it.
 const WORKGROUP: u32 = 64;
 
+/// The targets that drivers are given.
+const TARGETS: [Target; 4] = [Target::Wgsl, Target::Spirv, Target::Hlsl, Target::Glsl];
+
 /// A line of an artifact.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct Line {
@@ -40,7 +43,7 @@ pub fn lines(program: &Program, (function, at): Place) -> Vec<Line> {
             lobe_codegen::quietly(|| validate(edit.apply(module)?, meta).ok()).ok().flatten()
         })
         .collect();
-    Target::ALL.into_iter().filter_map(|target| line(program, &changed, target)).collect()
+    TARGETS.into_iter().filter_map(|target| line(program, &changed, target)).collect()
 }
 
 fn line(program: &Program, changed: &[ValidModule], target: Target) -> Option<Line> {
