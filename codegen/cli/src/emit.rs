@@ -5,7 +5,7 @@ use crate::output;
 use crate::select;
 use lobe_codegen::ValidModule;
 use lobe_codegen::def::FunctionRef;
-use lobe_codegen::emit::{Options, Target, emit, reflect, with_entries};
+use lobe_codegen::emit::{Host, Options, Target, emit, host, prefixed, reflect, with_entries};
 use lobe_codegen::lower::lower;
 use std::path::{Path, PathBuf};
 
@@ -33,6 +33,12 @@ pub(crate) struct Args {
     /// Folder to write into, made if it is missing; `-` writes one kernel and target to standard output
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
+    /// Put this before every name that is declared: of functions, structures, constants, buffers and entry points
+    #[arg(long, default_value = "")]
+    prefix: String,
+    /// Write structures for a host too, laid out as shaders read them; more than one language may be given
+    #[arg(long = "host", value_name = "LANGUAGE", value_enum)]
+    hosts: Vec<HostLanguage>,
     /// Leave doc comments out
     #[arg(long)]
     no_docs: bool,
@@ -48,6 +54,24 @@ pub(crate) enum Form {
     Library,
     /// A complete compute shader that applies the kernel to rows of buffers
     Entry,
+}
+
+/// A language that hosts are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum HostLanguage {
+    /// `#[repr(C)]` structures with bytemuck
+    Rust,
+    /// A header for C11 and C++11
+    C,
+}
+
+impl From<HostLanguage> for Host {
+    fn from(language: HostLanguage) -> Self {
+        match language {
+            HostLanguage::Rust => Self::Rust,
+            HostLanguage::C => Self::C,
+        }
+    }
 }
 
 /// A file to write.
@@ -84,28 +108,55 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     if args.form == Form::Library && args.targets.contains(&Target::Spirv) {
         return usage("SPIR-V has no libraries that Vulkan takes; add --form entry, or take a text target");
     }
-    let n_files = args.targets.len() * if args.one_file { 1 } else { n_kernels };
+    let n_files = (args.targets.len() + args.hosts.len()) * if args.one_file { 1 } else { n_kernels };
     if args.out.as_os_str() == "-" && n_files != 1 {
-        return usage("`--out -` takes one kernel and one target; name a folder instead");
+        return usage("`--out -` takes one kernel and one target, and no host; name a folder instead");
     }
     Ok(())
 }
 
 /// The sources of `kernels` in every target, and their description.
 fn files_of(args: &Args, stem: &str, kernels: &[FunctionRef], files: &mut Vec<File>) -> Result<(), Fail> {
-    let module = module(args.form, kernels)?;
-    let names = kernels.iter().map(|k| k().name.to_owned()).collect();
-    let options = Options { docs: !args.no_docs, kernels: names, ..Options::default() };
+    let module = match args.prefix.as_str() {
+        "" => module(args.form, kernels)?,
+        prefix => prefixed(&module(args.form, kernels)?, prefix)?,
+    };
+    let names: Vec<String> = kernels.iter().map(|k| k().name.to_owned()).collect();
     for target in &args.targets {
+        let command = Some(command(args, *target, &names));
+        let options = Options { docs: !args.no_docs, kernels: names.clone(), command, ..Options::default() };
         let artifact = emit(&module, *target, &options)?;
         let name = format!("{stem}.{}", target.extension());
         files.push(File { name, bytes: artifact.content.bytes() });
+    }
+    for language in args.hosts.iter().map(|&language| Host::from(language)) {
+        let name = format!("{stem}.{}", language.extension());
+        files.push(File { name, bytes: host(&module, language).into_bytes() });
     }
     if !args.no_reflection && args.out.as_os_str() != "-" {
         let json = reflect(&module).to_json().map_err(|e| Fail::Defect(e.to_string()))?;
         files.push(File { name: format!("{stem}.json"), bytes: json.into_bytes() });
     }
     Ok(())
+}
+
+/// The command that writes a file again.
+fn command(args: &Args, target: Target, names: &[String]) -> String {
+    let mut command = format!("lobe emit --target {target}");
+    if args.form == Form::Entry {
+        command.push_str(" --form entry");
+    }
+    if !args.prefix.is_empty() {
+        command.push_str(&format!(" --prefix {}", args.prefix));
+    }
+    if args.no_docs {
+        command.push_str(" --no-docs");
+    }
+    match args.one_file && args.all {
+        true => command + " --one-file --all",
+        false if args.one_file => format!("{command} --one-file {}", names.join(" ")),
+        false => format!("{command} {}", names.join(" ")),
+    }
 }
 
 fn module(form: Form, kernels: &[FunctionRef]) -> Result<ValidModule, Fail> {

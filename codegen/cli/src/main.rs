@@ -4,6 +4,7 @@
 
 mod bench;
 mod check;
+mod completions;
 mod doctor;
 mod emit;
 mod eval;
@@ -24,7 +25,7 @@ mod route;
 mod run;
 mod select;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use fail::{Fail, Outcome};
 use std::process::ExitCode;
 
@@ -42,7 +43,7 @@ struct Cli {
 enum Command {
     /// List the kernels with signature, source, domain and budget
     List(list::Args),
-    /// Write kernels as WGSL, SPIR-V or HLSL
+    /// Write kernels as WGSL, SPIR-V, HLSL, GLSL or MSL
     Emit(emit::Args),
     /// Run a kernel on rows of arguments
     Eval(eval::Args),
@@ -68,6 +69,10 @@ enum Command {
     Bench(bench::Args),
     /// Say which routes and tools this machine has, and how to get the others
     Doctor(doctor::Args),
+    /// Print the script that completes this command line in a shell
+    Completions(completions::Args),
+    /// Write the manual pages
+    Man(completions::ManArgs),
 }
 
 fn main() -> ExitCode {
@@ -95,5 +100,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Figures(args) => figures::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),
+        Command::Completions(args) => completions::run(args, Cli::command()),
+        Command::Man(args) => completions::man(args, Cli::command()),
     }
 }

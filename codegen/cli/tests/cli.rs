@@ -109,6 +109,39 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 #[test]
+fn shells_and_man_learn_every_subcommand() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = assert_holds(&lobe(&["completions", shell]));
+        assert!(script.contains("emit") && script.contains("--prefix"), "{shell}: {script}");
+    }
+    assert_fails(&lobe(&["completions", "csh"]), 2, &["csh"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let pages = assert_holds(&lobe(&["man", "--out", out]));
+    for page in ["lobe.1", "lobe-emit.1", "lobe-check.1", "lobe-man.1"] {
+        assert!(pages.contains(page) && folder.path().join(page).is_file(), "{page}\n{pages}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("lobe-emit.1")).expect("a page");
+    assert!(page.contains("prefix") && page.contains(".TH lobe-emit 1"), "{page}");
+}
+
+#[test]
+fn a_prefix_is_before_every_declared_name_and_in_the_command() {
+    let wgsl = assert_holds(&lobe(&[
+        "emit", "sg_eval", "--target", "wgsl", "--form", "entry", "--prefix", "eng_", "--out", "-",
+    ]));
+    for part in [
+        "fn eng_sg_eval(dir: vec3<f32>, sg: eng_Sg)",
+        "fn eng_sg_eval_entry(",
+        "eng_row_count",
+        "--prefix eng_",
+    ] {
+        assert!(wgsl.contains(part), "{part}\n{wgsl}");
+    }
+    assert_fails(&lobe(&["emit", "erf", "--target", "wgsl", "--prefix", "9", "--out", "-"]), 2, &["9erf"]);
+}
+
+#[test]
 fn one_kernel_goes_to_standard_output_and_two_do_not() {
     let wgsl = assert_holds(&lobe(&["emit", "erf", "--target", "wgsl", "--out", "-"]));
     assert!(wgsl.contains("fn erf(x: f32) -> f32"), "{wgsl}");

@@ -39,9 +39,11 @@ fn comment(lines: &[String], indent: &str) -> String {
     let lines = without_examples(lines);
     let line = |text: String| match text.as_str() {
         "" => format!("{indent}///\n"),
-        text => format!("{indent}/// {text}\n"),
+        text => format!("{indent}/// {}\n", without_links(text)),
     };
-    clean(&lines).map(line).collect()
+    let mut lines: Vec<String> = clean(&lines).collect();
+    lines.dedup_by(|next, line| next.is_empty() && line.is_empty());
+    lines.into_iter().map(line).collect()
 }
 
 /// Without code blocks, which are examples in Rust, and blank lines that they leave at the end.
@@ -75,6 +77,11 @@ fn clean(lines: &[String]) -> impl Iterator<Item = String> + '_ {
     })
 }
 
+/// Links to other items are Rust's: here their names will do.
+fn without_links(line: &str) -> String {
+    line.replace("[`", "`").replace("`]", "`")
+}
+
 /// Front ends keep the comment marks, definitions do not.
 fn strip_marks(line: &str) -> &str {
     let line = line.trim_end();
@@ -96,6 +103,12 @@ mod tests {
     fn examples_in_rust_stay_behind() {
         let lines = ["A.", "", "```", "assert!(true);", "```", ""].map(str::to_owned);
         assert_eq!(comment(&lines, ""), "/// A.\n");
+    }
+
+    #[test]
+    fn links_become_names_and_blank_lines_single() {
+        let lines = ["As [`erf`] of [x].", "", "", "B."].map(str::to_owned);
+        assert_eq!(comment(&lines, ""), "/// As `erf` of [x].\n///\n/// B.\n");
     }
 
     #[test]

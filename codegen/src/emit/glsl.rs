@@ -5,7 +5,7 @@
 //! refused ([`super::slots`]).
 //! A library has no `#version` and no precisions: those are said by the file that includes it.
 
-use super::slots::{Kind, slots};
+use super::slots::{Kind, Slot, slots};
 use super::{EmitError, Options, Target, guarded, mark, scan, tidy};
 use crate::{ValidModule, validate};
 use naga::back::glsl::{self, Version, WriterFlags};
@@ -32,6 +32,8 @@ pub(super) fn write(module: &ValidModule, target: Target, options: &Options) -> 
     let entry = marked.module.entry_points[0].name.clone();
     let flags = if is_library { WriterFlags::INCLUDE_UNUSED_ITEMS } else { WriterFlags::empty() };
     let policies = BoundsCheckPolicies::default();
+    // What is refused is refused under its own name.
+    numbers(&named, whole.info(), target, ENTRY, flags)?;
     let raw = translate(&marked.module, whole.info(), target, &entry, flags, policies)?;
     let raw = if is_library { library(&raw) } else { raw };
     let raw = with_marks(&raw, &marked.module);
@@ -47,12 +49,7 @@ pub(super) fn translate(
     flags: WriterFlags,
     policies: BoundsCheckPolicies,
 ) -> Result<String, EmitError> {
-    let index = module.entry_points.iter().position(|e| e.name == entry).unwrap_or_default();
-    let uses = info.get_entry_point(index);
-    let is_written = |global: Handle<GlobalVariable>| {
-        flags.contains(WriterFlags::INCLUDE_UNUSED_ITEMS) || !uses[global].is_empty()
-    };
-    let numbers = slots(module, target, is_written, are_together)?;
+    let numbers = numbers(module, info, target, entry, flags)?;
     let settings = glsl::Options {
         version: if target == Target::Essl { Version::new_gles(310) } else { Version::Desktop(450) },
         writer_flags: flags,
@@ -70,6 +67,21 @@ pub(super) fn translate(
         writer.write()?;
         Ok::<_, glsl::Error>(without(&raw, &CORE))
     })
+}
+
+/// The numbers of the resources that are written.
+fn numbers(
+    module: &Module,
+    info: &ModuleInfo,
+    target: Target,
+    entry: &str,
+    flags: WriterFlags,
+) -> Result<Vec<Slot>, EmitError> {
+    let index = module.entry_points.iter().position(|e| e.name == entry).unwrap_or_default();
+    let uses = info.get_entry_point(index);
+    let is_whole = flags.contains(WriterFlags::INCLUDE_UNUSED_ITEMS);
+    let is_written = |global: Handle<GlobalVariable>| is_whole || !uses[global].is_empty();
+    slots(module, target, is_written, are_together)
 }
 
 /// Vulkan numbers everything together, and so does what is written here.

@@ -16,7 +16,17 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
     refuse_group_count(module)?;
     let marked = mark::mark(module.module());
     let (raw, _) = translate(&marked.module, module.info(), &settings())?;
-    tidy::finish(module.module(), &marked.marks, &raw, Target::Hlsl, options)
+    tidy::finish(module.module(), &marked.marks, &without_const(&raw), Target::Hlsl, options)
+}
+
+/// The text with variables that are declared alike: naga makes those constant that hold the result of a call.
+fn without_const(raw: &str) -> String {
+    let plain = |line: &str| {
+        let text = line.trim_start();
+        let indent = &line[..line.len() - text.len()];
+        format!("{indent}{}\n", text.strip_prefix("const ").filter(|_| !indent.is_empty()).unwrap_or(text))
+    };
+    raw.lines().map(plain).collect()
 }
 
 /// The module as naga writes it, and what its entry points are called there.

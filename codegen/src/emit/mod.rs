@@ -8,7 +8,8 @@
 //!   and the tokens of the text are then renamed, scope by scope, to the declared names ([`rename`]).
 //!   What cannot keep its name is refused beforehand ([`clash`]), never renamed silently.
 //! - **Docs.** No writer prints doc comments: [`docs`].
-//! - **Form.** A header, one blank line between items, no trailing blanks: [`tidy`].
+//! - **Ease.** They give each call a variable and each operation parentheses: [`readable`].
+//! - **Form.** A header, one blank line between items, no trailing blanks: [`tidy`]; no line too long: [`wrap`].
 //! - **Panics.** A writer panics on some inputs; each runs behind [`crate::guard`].
 //!
 //! The output is a function of the module and the options: no dates, no paths, no hash order.
@@ -19,10 +20,13 @@ mod docs;
 pub mod entry;
 mod glsl;
 mod hlsl;
+pub mod host;
 mod layouts;
 mod mark;
 mod msl;
 mod plain;
+mod prefix;
+mod readable;
 pub mod reflect;
 mod rename;
 mod scan;
@@ -31,11 +35,14 @@ mod slots;
 mod spirv;
 mod tidy;
 mod wgsl;
+mod wrap;
 
 pub use calls::check_calls;
 pub use clash::ClashError;
 pub use entry::{EntryLayout, with_entries, with_entry};
+pub use host::{Host, host};
 pub use plain::{Plain, immediates_in_hlsl, plain};
+pub use prefix::prefixed;
 pub use reflect::{Reflection, reflect};
 
 use crate::ValidModule;

@@ -13,6 +13,8 @@ use naga::valid::{FunctionInfo, ModuleInfo};
 
 /// Writes the module as MSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
+    // What is refused is refused under its own name.
+    settings(module.module(), module.info())?;
     let marked = mark::mark(module.module());
     let settings = settings(&marked.module, module.info())?;
     let raw = guarded(Target::Msl, || {
@@ -23,22 +25,38 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
     tidy::finish(module.module(), &marked.marks, &lay_out(&raw), Target::Msl, options)
 }
 
-/// The text without its remark on the version, the parameters of each function on one line; those of an entry point
-/// carry attributes and keep theirs.
+/// The text without its remark on the version and without structures that have no members, the parameters of each
+/// function on one line.
 fn lay_out(raw: &str) -> String {
     let mut out = String::new();
     let mut is_inside = false;
+    let raw = without_empty(raw);
     for line in raw.lines().filter(|line| !line.starts_with("// language:")) {
-        let begins = line.ends_with('(') && !line.starts_with([' ', '/']) && !line.contains("kernel ");
+        let begins = line.ends_with('(') && !line.starts_with([' ', '/', '#']);
+        let is_first = out.ends_with('(');
         is_inside = (is_inside || begins) && line != ") {";
-        out.push_str(match is_inside && !begins {
-            true => line.trim_start(),
-            false => line,
-        });
-        match line.ends_with(',') && is_inside {
-            true => out.push(' '),
-            false if is_inside => {}
-            false => out.push('\n'),
+        match is_inside && !begins {
+            // A parameter begins with its comma, or the line before ends with it.
+            true if line.starts_with(',') || is_first => out.push_str(line.trim()),
+            true => out.push_str(&format!(" {}", line.trim())),
+            false => out.push_str(line),
+        }
+        if !is_inside {
+            out.push('\n');
+        }
+    }
+    out
+}
+
+/// The structure that an entry point without interpolated inputs would read them from.
+fn without_empty(raw: &str) -> String {
+    let mut out = String::new();
+    let mut lines = raw.lines().peekable();
+    while let Some(line) = lines.next() {
+        let is_empty = line.starts_with("struct ") && line.ends_with('{') && lines.peek() == Some(&"};");
+        match is_empty {
+            true => drop(lines.next()),
+            false => out.extend([line, "\n"]),
         }
     }
     out

@@ -86,6 +86,11 @@ impl<'a> Renamer<'a> {
             .or_else(|| of_kind(|r| matches!(r, Role::Struct(_))).filter(|_| is_struct))
     }
 
+    /// The function that an item defines, with its module.
+    pub(super) fn function(&self, pieces: &[Piece<'_>]) -> Option<(&'a Module, &'a Function)> {
+        self.body(self.defines(pieces))
+    }
+
     fn body(&self, role: Option<Role>) -> Option<(&'a Module, &'a Function)> {
         match role? {
             Role::Function(handle) => Some((self.module, &self.module.functions[handle])),

@@ -2,7 +2,8 @@
 
 use super::mark::Marks;
 use super::rename::{Item, Renamer};
-use super::{EmitError, Options, Target, docs, scan};
+use super::wrap::wrap;
+use super::{EmitError, Options, Target, docs, readable, scan};
 use naga::{Function, Module, Statement};
 use std::collections::HashSet;
 
@@ -23,7 +24,8 @@ pub(super) fn finish(
     }
     let mut former_is_line = false;
     for pieces in scan::items(&pieces) {
-        let item = renamer.item(pieces, options.docs)?;
+        let text = readable::readable(pieces, renamer.function(pieces), marks);
+        let item = renamer.item(&scan::pieces(&text), options.docs)?;
         let (text, is_line) = lay_out(module, &item, options.docs);
         let is_together = former_is_line && is_line;
         if !out.is_empty() && !is_together {
@@ -54,7 +56,7 @@ fn lay_out(module: &Module, item: &Item, with_docs: bool) -> (String, bool) {
         // Writers leave blank lines in bodies; one at a time is kept.
         blanks = if line.is_empty() { blanks + 1 } else { 0 };
         if blanks < 2 {
-            text.push_str(line);
+            text.push_str(&wrap(line));
             text.push('\n');
             lines += 1;
         }
@@ -105,7 +107,8 @@ fn roots(module: &Module) -> Vec<String> {
     module.functions.iter().filter_map(is_root).collect()
 }
 
-fn collect_calls(block: &naga::Block, called: &mut HashSet<naga::Handle<Function>>) {
+/// The functions that a block calls.
+pub(super) fn collect_calls(block: &naga::Block, called: &mut HashSet<naga::Handle<Function>>) {
     for statement in block.iter() {
         match statement {
             Statement::Call { function, .. } => {

@@ -51,7 +51,6 @@ fn f1_entry(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
     let x2 = x2_values[row];
     let result = f1(x, x2);
     results[row] = result;
-    return;
 }
 ";
     assert!(wgsl.ends_with(expected), "{wgsl}");
