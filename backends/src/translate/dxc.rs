@@ -4,15 +4,16 @@
 //! Nothing here runs DXIL; that it compiles and validates is what is learned from it.
 #![allow(unsafe_code, reason = "DXC is a C++ library that is loaded at run time")]
 
-use std::env;
 use std::path::{Path, PathBuf};
 
-use super::dxc_com::{self, Com, CreateInstance, IID_COMPILER3, IID_VERSION_INFO, Output, Status};
-use super::{TranslateError, elf, tools_dir};
+use super::com::{Com, Status};
+use super::dxc_com::{self, CreateInstance, IID_COMPILER3, IID_VERSION_INFO, Output};
+use super::{Compiled, TranslateError, elf, tools};
 
 const TOOL: &str = "DXC";
+/// How to get it.
+pub(super) const MEND: &str = "run tests/setup.sh, or set LOBE_DXC to the path of a libdxcompiler.so";
 const FILE_NAME: &str = "libdxcompiler.so";
-const SYSTEM_FOLDERS: [&str; 4] = ["/usr/local/lib", "/usr/lib/x86_64-linux-gnu", "/usr/lib64", "/usr/lib"];
 
 /// What DXC is to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,15 +26,6 @@ pub enum DxcOutput {
     Dxil,
 }
 
-/// The result of a compilation that went well.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Compiled {
-    /// The SPIR-V or DXIL.
-    pub object: Vec<u8>,
-    /// DXC's warnings; empty if there are none.
-    pub warnings: String,
-}
-
 /// The loaded compiler. It can be shared between threads.
 pub struct Dxc {
     path: PathBuf,
@@ -43,24 +35,13 @@ pub struct Dxc {
 
 impl Dxc {
     /// Loads `libdxcompiler.so` from the file that `LOBE_DXC` names, else from `lib/` in the
-    /// [tools folder](tools_dir), else from where the system keeps libraries.
+    /// [tools folder](super::tools_dir), else from where the system keeps libraries.
     ///
     /// # Errors
     ///
     /// [`TranslateError::NotFound`] if there is none, and what [`Dxc::load`] says of the first that there is.
     pub fn find() -> Result<Self, TranslateError> {
-        if let Some(named) = env::var_os("LOBE_DXC").filter(|value| !value.is_empty()) {
-            return Self::load(Path::new(&named));
-        }
-        let candidates = candidates();
-        match candidates.iter().find(|path| path.is_file()) {
-            Some(path) => Self::load(path),
-            None => Err(TranslateError::NotFound {
-                tool: TOOL,
-                looked_at: candidates.iter().map(|path| path.display().to_string()).collect(),
-                mend: "run tests/setup.sh, or set LOBE_DXC to the path of a libdxcompiler.so",
-            }),
-        }
+        Self::load(&tools::library(TOOL, "LOBE_DXC", &[FILE_NAME], MEND)?)
     }
 
     /// Loads the library at `path`.
@@ -138,11 +119,6 @@ impl std::fmt::Debug for Dxc {
             .field("version", &self.version)
             .finish_non_exhaustive()
     }
-}
-
-fn candidates() -> Vec<PathBuf> {
-    let ours = tools_dir().map(|tools| tools.join("lib"));
-    ours.into_iter().chain(SYSTEM_FOLDERS.map(PathBuf::from)).map(|folder| folder.join(FILE_NAME)).collect()
 }
 
 fn load_library(path: &Path) -> Result<CreateInstance, String> {

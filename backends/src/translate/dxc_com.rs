@@ -1,11 +1,12 @@
 //! The few COM calls that DXC needs, with the library's own types.
 //!
-//! On Linux and macOS DXC brings a small COM of its own: the C calling convention, 32-bit `wchar_t`, and vtables that
-//! start with `QueryInterface`, `AddRef`, `Release`.
+//! On Linux and macOS DXC brings a small COM of its own: the C calling convention, and 32-bit `wchar_t`.
 #![allow(unsafe_code, reason = "DXC has a COM interface, called through function pointers in vtables")]
 
 use std::ffi::c_void;
-use std::ptr::{self, NonNull};
+use std::ptr;
+
+use super::com::{Com, Status, blob_bytes};
 
 /// A class or interface identifier, as COM lays it out.
 #[repr(C)]
@@ -26,9 +27,6 @@ pub(super) const IID_VERSION_INFO: Guid = Guid::new(0xb04f5b50_2059_4f12_a8ff_a1
 const IID_RESULT: Guid = Guid::new(0x58346cda_dde7_4497_9461_6f87af5e0659);
 const IID_BLOB: Guid = Guid::new(0x8ba5fb08_5195_40e2_ac58_0d989c3a0102);
 
-/// `HRESULT`; negative is failure.
-pub(super) type Status = i32;
-
 /// The one function that the library exports for our use.
 pub(super) type CreateInstance = unsafe extern "C" fn(*const Guid, *const Guid, *mut *mut c_void) -> Status;
 
@@ -47,52 +45,6 @@ const UTF8: u32 = 65_001;
 pub(super) enum Output {
     Object = 1,
     Errors = 2,
-}
-
-/// An owned reference to a COM object.
-pub(super) struct Com(NonNull<c_void>);
-
-impl Com {
-    /// Takes over what a call returned through its last parameter.
-    fn from_call(call: impl FnOnce(*mut *mut c_void) -> Status) -> Result<Self, Status> {
-        let mut object = ptr::null_mut();
-        let status = call(&mut object);
-        // A success without an object should not be; E_POINTER stands for it.
-        NonNull::new(object).filter(|_| status >= 0).map(Self).ok_or(if status < 0 {
-            status
-        } else {
-            0x8000_4003_u32 as i32
-        })
-    }
-
-    /// The function in `slot` of the vtable.
-    ///
-    /// # Safety
-    ///
-    /// `F` must be the type of the function that the object's interface has there, its first parameter the object.
-    unsafe fn function<F: Copy>(&self, slot: usize) -> F {
-        const { assert!(size_of::<F>() == size_of::<*const c_void>()) }
-        // SAFETY: a COM object starts with a pointer to its vtable, an array of function pointers; the caller vouches
-        // for the slot and its type.
-        unsafe {
-            let vtable: *const *const c_void = self.0.cast::<*const *const c_void>().read();
-            vtable.add(slot).cast::<F>().read()
-        }
-    }
-
-    fn this(&self) -> *mut c_void {
-        self.0.as_ptr()
-    }
-}
-
-impl Drop for Com {
-    fn drop(&mut self) {
-        // SAFETY: `Release` is slot 2 of every COM object, and this reference is ours to give up.
-        unsafe {
-            let release: unsafe extern "C" fn(*mut c_void) -> u32 = self.function(2);
-            release(self.this());
-        }
-    }
 }
 
 /// `IDxcCompiler3` or `IDxcVersionInfo`, made by the library.
@@ -162,21 +114,6 @@ pub(super) fn output(result: &Com, kind: Output) -> Vec<u8> {
         get(result.this(), kind as u32, &IID_BLOB, blob, ptr::null_mut())
     });
     blob.map(|blob| blob_bytes(&blob)).unwrap_or_default()
-}
-
-fn blob_bytes(blob: &Com) -> Vec<u8> {
-    // SAFETY: slots 3 and 4 of `IDxcBlob` give pointer and size of bytes that live as long as the blob. The pointer
-    // of an empty blob may be null, so no slice is made of it.
-    unsafe {
-        let pointer: unsafe extern "C" fn(*mut c_void) -> *const u8 = blob.function(3);
-        let size: unsafe extern "C" fn(*mut c_void) -> usize = blob.function(4);
-        let (pointer, size) = (pointer(blob.this()), size(blob.this()));
-        if pointer.is_null() || size == 0 {
-            Vec::new()
-        } else {
-            std::slice::from_raw_parts(pointer, size).to_vec()
-        }
-    }
 }
 
 #[cfg(test)]

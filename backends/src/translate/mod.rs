@@ -5,16 +5,27 @@
 //!
 //! A tool that is not there gives [`TranslateError::NotFound`], which says how to get it.
 
+mod com;
 pub mod dxc;
 mod dxc_com;
 pub(crate) mod elf;
 mod error;
+mod process;
 pub mod spirv_val;
 mod tools;
 
-pub use dxc::{Compiled, Dxc, DxcOutput};
+pub use dxc::{Dxc, DxcOutput};
 pub use error::TranslateError;
 pub use tools::tools_dir;
+
+/// The result of a compilation that went well.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Compiled {
+    /// The SPIR-V or DXIL.
+    pub object: Vec<u8>,
+    /// The compiler's warnings; empty if there are none.
+    pub warnings: String,
+}
 
 /// SPIR-V words out of the bytes that a compiler wrote.
 ///

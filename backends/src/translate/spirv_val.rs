@@ -1,12 +1,9 @@
 //! Khronos' SPIR-V validator, run as a child process on a module's words.
 
-use std::ffi::OsStr;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::{env, thread};
 
-use super::{TranslateError, tools_dir};
+use super::process::feed;
+use super::{TranslateError, tools};
 
 const TOOL: &str = "spirv-val";
 
@@ -28,20 +25,15 @@ impl Rules {
     }
 }
 
-/// The validator's file: `bin/` in the [tools folder](tools_dir) first, then the `PATH`.
+/// The validator's file: what `LOBE_SPIRV_VAL` names, else `bin/` in the [tools folder](super::tools_dir), then the
+/// `PATH`.
 ///
 /// # Errors
 ///
 /// [`TranslateError::NotFound`].
 pub fn find() -> Result<PathBuf, TranslateError> {
-    let ours = tools_dir().map(|tools| tools.join("bin"));
-    let path = env::var_os("PATH").unwrap_or_default();
-    let candidates = ours.into_iter().chain(env::split_paths(&path)).map(|folder| folder.join(TOOL));
-    candidates.into_iter().find(|candidate| candidate.is_file()).ok_or_else(|| TranslateError::NotFound {
-        tool: TOOL,
-        looked_at: vec!["the tools folder".to_owned(), "PATH".to_owned()],
-        mend: "run tests/setup.sh, or install your system's spirv-tools package",
-    })
+    let mend = "run tests/setup.sh, or install your system's spirv-tools package";
+    tools::program(TOOL, "LOBE_SPIRV_VAL", &[TOOL], mend)
 }
 
 /// Validates `words` by the rules of Vulkan 1.1.
@@ -78,29 +70,6 @@ fn run(tool: &Path, rules: Rules, words: &[u32]) -> Result<(), TranslateError> {
         Some(_) if !message.is_empty() => Err(TranslateError::Rejected { tool: TOOL, message }),
         _ => Err(TranslateError::BadOutput { tool: TOOL, reason: format!("{} {message}", output.status) }),
     }
-}
-
-/// Runs a program with `input` on its standard input.
-fn feed(program: &Path, arguments: &[&str], input: Vec<u8>) -> io::Result<Output> {
-    let mut child = Command::new(program)
-        .args(arguments.iter().map(OsStr::new))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()?;
-    let writer = write_input(&mut child, input);
-    let output = child.wait_with_output()?;
-    if let Some(writer) = writer {
-        // A program that stops reading early says why in its output, which tells more than the broken pipe.
-        let _ = writer.join();
-    }
-    Ok(output)
-}
-
-/// Writes on a thread of its own: a program that answers before it has read everything would otherwise block us.
-fn write_input(child: &mut Child, input: Vec<u8>) -> Option<thread::JoinHandle<io::Result<()>>> {
-    let mut stdin = child.stdin.take()?;
-    Some(thread::spawn(move || stdin.write_all(&input)))
 }
 
 #[cfg(test)]

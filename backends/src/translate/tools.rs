@@ -3,6 +3,10 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use super::TranslateError;
+
+const LIBRARY_FOLDERS: [&str; 4] = ["/usr/local/lib", "/usr/lib/x86_64-linux-gnu", "/usr/lib64", "/usr/lib"];
+
 /// The folder into which `tests/setup.sh` puts tools, if there is one.
 ///
 /// `LOBE_TOOLS` names it; else it is the nearest `.tools` folder, going up from the current folder, then from the
@@ -18,6 +22,47 @@ pub fn tools_dir() -> Option<PathBuf> {
 
 fn nearest(start: &Path) -> Option<PathBuf> {
     start.ancestors().map(|folder| folder.join(".tools")).find(|path| path.is_dir())
+}
+
+/// The file of a library: what the environment's `variable` names, else the first of `names` in `lib/` of the tools
+/// folder, else where the system keeps libraries.
+pub(super) fn library(
+    tool: &'static str,
+    variable: &str,
+    names: &[&str],
+    mend: &'static str,
+) -> Result<PathBuf, TranslateError> {
+    let ours = tools_dir().map(|tools| tools.join("lib"));
+    let folders = ours.into_iter().chain(LIBRARY_FOLDERS.map(PathBuf::from));
+    let candidates: Vec<PathBuf> =
+        folders.flat_map(|folder| names.iter().map(move |name| folder.join(name))).collect();
+    let found = named(variable).or_else(|| candidates.iter().find(|path| path.is_file()).cloned());
+    found.ok_or_else(|| TranslateError::NotFound {
+        tool,
+        looked_at: candidates.iter().map(|path| path.display().to_string()).collect(),
+        mend,
+    })
+}
+
+/// The file of a program: what the environment's `variable` names, else the first of `names` in `bin/` of the tools
+/// folder, else on the `PATH`.
+pub(super) fn program(
+    tool: &'static str,
+    variable: &str,
+    names: &[&str],
+    mend: &'static str,
+) -> Result<PathBuf, TranslateError> {
+    let ours = tools_dir().map(|tools| tools.join("bin"));
+    let path = env::var_os("PATH").unwrap_or_default();
+    let folders = ours.into_iter().chain(env::split_paths(&path));
+    let mut candidates = folders.flat_map(|folder| names.iter().map(move |name| folder.join(name)));
+    let found = named(variable).or_else(|| candidates.find(|path| path.is_file()));
+    let looked_at = || vec!["the tools folder".to_owned(), "PATH".to_owned()];
+    found.ok_or_else(|| TranslateError::NotFound { tool, looked_at: looked_at(), mend })
+}
+
+fn named(variable: &str) -> Option<PathBuf> {
+    env::var_os(variable).filter(|value| !value.is_empty()).map(PathBuf::from)
 }
 
 #[cfg(test)]
