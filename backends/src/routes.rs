@@ -3,7 +3,7 @@
 use crate::executor::{Executor, GpuRoute, Interp, Native};
 use crate::gpu::{self, Driver, Gpu, GpuError};
 use crate::route::{Road, Route};
-use crate::translate::{Dxc, TranslateError};
+use crate::translate::Translators;
 use std::sync::Arc;
 
 /// The drivers that are spoken of even where they are missing, with the way to get them.
@@ -30,7 +30,7 @@ pub enum State {
 #[derive(Clone, Debug)]
 pub struct Machine {
     drivers: Vec<Driver>,
-    dxc: Result<Arc<Dxc>, TranslateError>,
+    translators: Arc<Translators>,
 }
 
 /// Why a route was not opened.
@@ -66,7 +66,7 @@ impl Machine {
     /// Looks for drivers and translators.
     #[must_use]
     pub fn look() -> Self {
-        Self { drivers: gpu::drivers(), dxc: Dxc::find().map(Arc::new) }
+        Self { drivers: gpu::drivers(), translators: Arc::new(Translators::find()) }
     }
 
     /// The Vulkan drivers that were found.
@@ -75,12 +75,10 @@ impl Machine {
         &self.drivers
     }
 
-    /// DXC, or why there is none.
-    ///
-    /// # Errors
-    /// When it was not found or does not load.
-    pub fn dxc(&self) -> Result<&Dxc, &TranslateError> {
-        self.dxc.as_deref()
+    /// The compilers, each as it was found.
+    #[must_use]
+    pub fn translators(&self) -> &Arc<Translators> {
+        &self.translators
     }
 
     /// Every route with its state: native and interp first, then driver by driver.
@@ -102,19 +100,15 @@ impl Machine {
     pub fn state(&self, route: &Route) -> State {
         let Route::Gpu { road, driver: name } = route else { return State::Ready };
         let Some(driver) = self.driver(name) else { return self.no_driver(name) };
-        match (road, &self.dxc) {
-            (Road::Spirv | Road::HlslDxc, _) if !driver.has_passthrough => State::Missing {
+        if road.ends_in_spirv() && !driver.has_passthrough {
+            return State::Missing {
                 what: format!("{name} takes no SPIR-V unchanged"),
                 mend: format!("use wgsl+naga@{name}"),
-            },
-            (Road::HlslDxc, Err(TranslateError::NotFound { tool, mend, .. })) => {
-                State::Missing { what: format!("{tool} was not found"), mend: (*mend).to_owned() }
-            }
-            (Road::HlslDxc, Err(error)) => State::Missing {
-                what: error.to_string(),
-                mend: "run tests/setup.sh, or set LOBE_DXC to the path of a libdxcompiler.so".to_owned(),
-            },
-            (Road::Spirv | Road::WgslNaga | Road::HlslDxc, _) => State::Ready,
+            };
+        }
+        match self.translators.missing(*road) {
+            Some((what, mend)) => State::Missing { what, mend: mend.to_owned() },
+            None => State::Ready,
         }
     }
 
@@ -133,8 +127,8 @@ impl Machine {
                 let driver = self.driver(driver).map(Gpu::open);
                 let Some(opened) = driver else { return self.open(&Route::Interp) };
                 let gpu = opened.map_err(|cause| OpenError::Driver { route: route.clone(), cause })?;
-                let dxc = self.dxc.as_ref().ok().cloned();
-                Ok(Box::new(GpuRoute::new(route.clone(), *road, gpu, dxc)))
+                let translators = Arc::clone(&self.translators);
+                Ok(Box::new(GpuRoute::new(route.clone(), *road, gpu, translators)))
             }
         }
     }

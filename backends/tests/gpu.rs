@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use common::{DEMANDING_WGSL, WGSL, bindings, bytes, driver, floats, job, ramp, spirv, tool};
 use lobe_backends::gpu::{self, Binding, BindingKind, Gpu, GpuError, Job, Shader};
-use lobe_backends::translate::{Dxc, DxcOutput, spirv_words};
+use lobe_backends::translate::{Dxc, DxcOutput, Slang, spirv_words};
 
 fn open(name: &str) -> Option<Gpu> {
     driver(name).map(|driver| Gpu::open(&driver).expect("a listed driver opens"))
@@ -52,19 +52,24 @@ fn wgsl_computes() {
 #[test]
 fn every_road_gives_the_same_bits() {
     for name in ["lavapipe", "swiftshader"] {
-        let (Some(mut gpu), Some(dxc)) = (open(name), tool(Dxc::find())) else { continue };
+        let (Some(mut gpu), Some(dxc), Some(slang)) = (open(name), tool(Dxc::find()), tool(Slang::find()))
+        else {
+            continue;
+        };
         let words = spirv(DEMANDING_WGSL);
-        let compiled = dxc.compile(&common::hlsl(DEMANDING_WGSL), "cs_6_0", Some("main"), DxcOutput::Spirv);
-        let foreign = spirv_words(&compiled.expect("compiles")).expect("words");
-        assert_ne!(words, foreign);
+        let hlsl = common::hlsl(DEMANDING_WGSL);
+        let dxc = dxc.compile(&hlsl, "cs_6_0", Some("main"), DxcOutput::Spirv).expect("DXC compiles");
+        let slang = slang.compile(&hlsl, "main").expect("slang compiles");
+        let [dxc, slang] = [dxc, slang].map(|object| spirv_words(&object).expect("words"));
+        assert!(words != dxc && words != slang && dxc != slang);
 
         let input = ramp();
         let wgsl = run(&mut gpu, Shader::Wgsl(DEMANDING_WGSL), &input).expect("WGSL runs");
-        let passed = run(&mut gpu, Shader::Spirv(&words), &input).expect("naga's SPIR-V runs");
-        let through_dxc = run(&mut gpu, Shader::Spirv(&foreign), &input).expect("DXC's SPIR-V runs");
         assert!(wgsl.iter().all(|&y| y != f32::MAX), "every output was written");
-        assert_eq!(bits(&wgsl), bits(&passed), "{name}: WGSL against naga's SPIR-V");
-        assert_eq!(bits(&wgsl), bits(&through_dxc), "{name}: WGSL against DXC's SPIR-V");
+        for (compiler, words) in [("naga", words), ("DXC", dxc), ("slang", slang)] {
+            let passed = run(&mut gpu, Shader::Spirv(&words), &input).expect("SPIR-V runs");
+            assert_eq!(bits(&wgsl), bits(&passed), "{name}: WGSL against {compiler}'s SPIR-V");
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::trace::{self, Trace};
 use super::{ExecError, Executor, Program};
 use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
 use crate::route::{Road, Route};
-use crate::translate::{Dxc, DxcOutput, spirv_words};
+use crate::translate::Translators;
 use lobe_codegen::data::Columns;
 use lobe_codegen::emit::{self, Artifact, Content, EntryLayout, Options, Target};
 use lobe_codegen::layout::{pack, unpack};
@@ -37,14 +37,14 @@ pub struct GpuRoute {
     route: Route,
     road: Road,
     gpu: Gpu,
-    dxc: Option<Arc<Dxc>>,
+    translators: Arc<Translators>,
 }
 
 impl GpuRoute {
-    /// The route by `road` to the device `gpu`; `dxc` is needed by [`Road::HlslDxc`].
+    /// The route by `road` to the device `gpu`, through the road's own of `translators`.
     #[must_use]
-    pub fn new(route: Route, road: Road, gpu: Gpu, dxc: Option<Arc<Dxc>>) -> Self {
-        Self { route, road, gpu, dxc }
+    pub fn new(route: Route, road: Road, gpu: Gpu, translators: Arc<Translators>) -> Self {
+        Self { route, road, gpu, translators }
     }
 
     fn dispatch(
@@ -68,7 +68,7 @@ impl GpuRoute {
         bindings.push(bind(result.group, layout.count_binding, BindingKind::Uniform, &count));
         let outputs = self.gpu.run(&Job {
             shader: words.shader(),
-            entry: &layout.entry_name,
+            entry: self.road.target().entry_name(&layout.entry_name),
             workgroup_size: [layout.workgroup_size, 1, 1],
             groups: [(args.rows as u32).div_ceil(layout.workgroup_size), 1, 1],
             bindings: &bindings,
@@ -77,6 +77,22 @@ impl GpuRoute {
         let outputs = outputs.map_err(|cause| ExecError::Gpu { kernel: kernel.name(), cause })?;
         let bytes = outputs.first().map_or(&[][..], Vec::as_slice);
         Ok(Columns { columns: unpack(result, bytes, args.rows), rows: args.rows })
+    }
+}
+
+/// Translates kernels before their route runs them.
+#[derive(Clone, Debug)]
+pub struct Ahead {
+    road: Road,
+    translators: Arc<Translators>,
+}
+
+impl Ahead {
+    /// Translates `kernel`, unless that was done.
+    ///
+    /// What goes wrong goes wrong again when the kernel is run, and is reported then.
+    pub fn prepare(&self, kernel: &Program) {
+        let _ = kernel.words(self.road, &self.translators);
     }
 }
 
@@ -89,10 +105,14 @@ impl Executor for GpuRoute {
         &self.gpu.driver().driver_info
     }
 
+    fn ahead(&self) -> Option<Ahead> {
+        Some(Ahead { road: self.road, translators: Arc::clone(&self.translators) })
+    }
+
     fn run(&mut self, kernel: &Program, args: &Columns) -> Result<Columns, ExecError> {
         kernel.check_shape(args)?;
         let layout = &kernel.entry()?.1;
-        let words = kernel.words(self.road, self.dxc.as_deref())?;
+        let words = kernel.words(self.road, &self.translators)?;
         let rows = rows_at_once(layout);
         let mut out = Columns::zeros(kernel.results().len(), 0);
         let mut start = 0;
@@ -107,8 +127,9 @@ impl Executor for GpuRoute {
     fn trace(&mut self, kernel: &Program, traced: &Traced, args: &Columns) -> Result<Trace, ExecError> {
         let source =
             Source { kernel: kernel.name(), module: &traced.module, entry: &traced.layout.entry_name };
-        let words = source.words(self.road, self.dxc.as_deref())?;
-        trace::dispatch(&mut self.gpu, words.shader(), kernel.name(), traced, args)
+        let words = source.words(self.road, &self.translators)?;
+        let entry = self.road.target().entry_name(source.entry);
+        trace::dispatch(&mut self.gpu, (words.shader(), entry), kernel.name(), traced, args)
     }
 }
 
@@ -125,28 +146,16 @@ impl Source<'_> {
             .map_err(|cause| ExecError::Emit { kernel: self.kernel, cause: cause.into() })
     }
 
-    fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
-        Ok(match road {
-            Road::Spirv => content(self.artifact(Target::Spirv)?.content),
-            Road::WgslNaga => content(self.artifact(Target::Wgsl)?.content),
-            Road::HlslDxc => self.through_dxc(dxc)?,
-        })
-    }
-
-    fn through_dxc(&self, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
-        let fail = |cause| ExecError::Translate { kernel: self.kernel, cause };
-        let found;
-        let dxc = match dxc {
-            Some(dxc) => dxc,
-            None => {
-                found = Dxc::find().map_err(fail)?;
-                &found
+    fn words(&self, road: Road, translators: &Translators) -> Result<Words, ExecError> {
+        let artifact = self.artifact(road.target())?;
+        match road {
+            Road::Spirv | Road::WgslNaga => Ok(content(artifact.content)),
+            Road::HlslDxc | Road::HlslSlang | Road::GlslGlslang => {
+                let text = artifact.content.text().unwrap_or_default();
+                let words = translators.spirv(road, text, self.entry);
+                words.map(Words::Spirv).map_err(|cause| ExecError::Translate { kernel: self.kernel, cause })
             }
-        };
-        let artifact = self.artifact(Target::Hlsl)?;
-        let text = artifact.content.text().unwrap_or_default();
-        let object = dxc.compile(text, "cs_6_0", Some(self.entry), DxcOutput::Spirv).map_err(fail)?;
-        spirv_words(&object).map(Words::Spirv).map_err(fail)
+        }
     }
 }
 
@@ -222,12 +231,12 @@ impl Program {
         Ok(Source { kernel: self.name(), module, entry: &layout.entry_name })
     }
 
-    fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<&Words, ExecError> {
+    fn words(&self, road: Road, translators: &Translators) -> Result<&Words, ExecError> {
         let place = &self.artifacts.roads[road as usize];
         if let Some(ready) = place.get() {
             return Ok(ready);
         }
-        let made = self.source()?.words(road, dxc)?;
+        let made = self.source()?.words(road, translators)?;
         Ok(place.get_or_init(|| made))
     }
 }

@@ -8,7 +8,7 @@ mod program;
 pub mod trace;
 
 pub use error::ExecError;
-pub use gpu_route::GpuRoute;
+pub use gpu_route::{Ahead, GpuRoute};
 pub use interp::Interp;
 pub use native::Native;
 pub use program::Program;
@@ -25,6 +25,11 @@ pub trait Executor {
     /// What the route's driver says of itself, its version with it; nothing where there is no driver.
     fn driver_info(&self) -> &str {
         ""
+    }
+
+    /// What can be done for a kernel before the route runs it, meanwhile and elsewhere.
+    fn ahead(&self) -> Option<Ahead> {
+        None
     }
 
     /// The kernel's result for each row of `args`, whose columns are [`Program::params`].

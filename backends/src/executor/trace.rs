@@ -73,10 +73,10 @@ pub fn shadow(traced: &Traced, args: &Columns) -> Result<Option<ShadowBuffer>, I
     Ok(written.into_iter().find(|buffer| buffer.binding == traced.binding))
 }
 
-/// The run on a driver.
+/// The run of a shader's entry point on a driver.
 pub(super) fn dispatch(
     gpu: &mut Gpu,
-    shader: Shader<'_>,
+    (shader, entry): (Shader<'_>, &str),
     kernel: &'static str,
     traced: &Traced,
     args: &Columns,
@@ -93,7 +93,7 @@ pub(super) fn dispatch(
         .collect();
     let outputs = gpu.run(&Job {
         shader,
-        entry: &traced.layout.entry_name,
+        entry,
         workgroup_size: [traced.layout.workgroup_size, 1, 1],
         groups: [1, 1, 1],
         bindings: &bindings,

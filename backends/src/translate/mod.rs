@@ -1,6 +1,8 @@
 //! Foreign compilers and validators, each found where `tests/setup.sh` puts it or where the system has it.
 //!
 //! - [`dxc`]: Microsoft's HLSL compiler, loaded into this process.
+//! - [`slang`]: Khronos' compiler of HLSL and a language of its own, loaded into this process.
+//! - [`glslang`]: Khronos' GLSL compiler, run as a child process.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
 //!
 //! A tool that is not there gives [`TranslateError::NotFound`], which says how to get it.
@@ -10,13 +12,20 @@ pub mod dxc;
 mod dxc_com;
 pub(crate) mod elf;
 mod error;
+pub mod glslang;
 mod process;
+pub mod slang;
+mod slang_api;
 pub mod spirv_val;
 mod tools;
+mod translators;
 
 pub use dxc::{Dxc, DxcOutput};
 pub use error::TranslateError;
+pub use glslang::Glslang;
+pub use slang::Slang;
 pub use tools::tools_dir;
+pub use translators::Translators;
 
 /// The result of a compilation that went well.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -32,13 +32,21 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 }
 
 fn tools(machine: &Machine) -> Vec<Tool> {
-    let dxc = machine.dxc().map(|dxc| {
+    let translators = machine.translators();
+    let dxc = translators.dxc().map(|dxc| {
         let (major, minor) = dxc.version();
         format!("{major}.{minor}, {}", dxc.path().display())
+    });
+    let slang = translators.slang().map(|slang| format!("{}, {}", slang.version(), slang.path().display()));
+    let glslang = translators.glslang().map_err(ToString::to_string).and_then(|glslang| {
+        let version = glslang.version().map_err(|e| e.to_string())?;
+        Ok(format!("{version}, {}", glslang.path().display()))
     });
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
         Tool { name: "dxc", found: dxc.map_err(ToString::to_string) },
+        Tool { name: "slang", found: slang.map_err(ToString::to_string) },
+        Tool { name: "glslang", found: glslang },
         Tool {
             name: "spirv-val",
             found: spirv_val::find().map(|p| p.display().to_string()).map_err(|e| e.to_string()),

@@ -171,17 +171,28 @@ fn routes_that_are_none_or_missing_differ_in_their_exit_code() {
     assert_fails(&output, 3, &["no Vulkan driver `nix`"]);
 }
 
-#[test]
-fn a_corrupt_dxc_is_a_missing_route_that_says_why() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("libdxcompiler.so");
-    std::fs::write(&path, "no library").expect("writable");
-    let output = command(&["doctor"]).env("LOBE_DXC", &path).output().expect("the binary runs");
+#[track_caller]
+fn assert_named_when_unusable(variable: &str, path: &std::path::Path, route: &str) {
+    let output = command(&["doctor"]).env(variable, path).output().expect("the binary runs");
     let said = assert_holds(&output);
-    assert!(said.contains("libdxcompiler.so cannot be used"), "{said}");
-    let mut check = command(&["check", "erf", "--inputs", "10", "--require", "hlsl+dxc@lavapipe"]);
-    let output = check.env("LOBE_DXC", &path).output().expect("the binary runs");
-    assert_fails(&output, 3, &["hlsl+dxc@lavapipe is missing"]);
+    assert!(said.contains(&format!("{} cannot be used", path.display())), "{said}");
+    let mut check = command(&["check", "erf", "--inputs", "10", "--require", route]);
+    let output = check.env(variable, path).output().expect("the binary runs");
+    assert_fails(&output, 3, &[&format!("{route} is missing"), variable]);
+}
+
+#[test]
+fn a_corrupt_compiler_is_a_missing_route_that_says_why() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (variable, name, route) in [
+        ("LOBE_DXC", "libdxcompiler.so", "hlsl+dxc@lavapipe"),
+        ("LOBE_SLANG", "libslang-compiler.so", "hlsl+slang@lavapipe"),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, "no library").expect("writable");
+        assert_named_when_unusable(variable, &path, route);
+    }
+    assert_named_when_unusable("LOBE_GLSLANG", &folder.path().join("glslang"), "glsl+glslang@lavapipe");
 }
 
 #[test]

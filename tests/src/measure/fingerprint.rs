@@ -48,7 +48,7 @@ pub(super) fn driver(machine: &Machine, name: &str) -> String {
     if driver.is_software {
         let _ = write!(text, ", {}", processor());
     }
-    let _ = match machine.dxc().map(lobe_backends::translate::Dxc::version) {
+    let _ = match machine.translators().dxc().map(lobe_backends::translate::Dxc::version) {
         Ok((major, minor)) => write!(text, ", DXC {major}.{minor}"),
         Err(_) => write!(text, ", no DXC"),
     };

@@ -22,8 +22,13 @@ pub(super) enum Asked {
 const HARDWARE: &str = "gpu";
 
 /// The names of roads in names of tests.
-const ROADS: [(&str, Road); 3] =
-    [("spirv_", Road::Spirv), ("wgsl_naga_", Road::WgslNaga), ("hlsl_dxc_", Road::HlslDxc)];
+const ROADS: [(&str, Road); Road::ALL.len()] = [
+    ("spirv_", Road::Spirv),
+    ("wgsl_naga_", Road::WgslNaga),
+    ("hlsl_dxc_", Road::HlslDxc),
+    ("hlsl_slang_", Road::HlslSlang),
+    ("glsl_glslang_", Road::GlslGlslang),
+];
 
 impl Asked {
     pub(super) fn of(test: &str) -> Result<Self, String> {
@@ -70,8 +75,9 @@ pub(super) fn route(test: &str) -> Result<Route, String> {
             Ok(Route::Gpu { road, driver: driver.replace('_', "-") })
         }
         _ => Err(format!(
-            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_ or hlsl_dxc_ and a driver, as \
-             spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` lists those of this machine)"
+            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, hlsl_dxc_, hlsl_slang_ or \
+             glsl_glslang_ and a driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` \
+             lists those of this machine)"
         )),
     }
 }
@@ -132,6 +138,8 @@ mod tests {
             ("spirv_lavapipe", "spirv@lavapipe"),
             ("wgsl_naga_swiftshader", "wgsl+naga@swiftshader"),
             ("hlsl_dxc_nvidia_h100", "hlsl+dxc@nvidia-h100"),
+            ("hlsl_slang_lavapipe", "hlsl+slang@lavapipe"),
+            ("glsl_glslang_lavapipe", "glsl+glslang@lavapipe"),
         ] {
             assert_eq!(route(test).map(|route| route.to_string()), Ok(name.to_owned()));
         }

@@ -83,7 +83,8 @@ impl std::fmt::Debug for Failure {
 ///
 /// Kernels are named as they are in scope, several with commas between; then options may follow, as in
 /// `check!(falloff, glow, inputs = 10_000, seed = 7, routes = [interp, spirv_gpu])`: `routes` names the tests for
-/// routes (`spirv_gpu` is the first driver of hardware), the others are those of [`Options`](crate::named::Options).
+/// routes (`spirv_gpu` is the first driver of hardware; `hlsl_slang_` and `glsl_glslang_` are roads too), the others
+/// are those of [`Options`](crate::named::Options).
 /// Rows that once went wrong lie in `tests/cases/<kernel>.jsonl`, known faults of drivers in
 /// `tests/cases/expectations.toml`.
 /// The tests lie in a module `check`, so there is one `check!` in a module.

@@ -43,7 +43,7 @@ pub enum ShaderRoute {
 impl ShaderRoute {
     /// The resources as the route's shader has them, and its immediates: HLSL has neither uniform buffers nor those.
     fn lend<'g>(&self, subject: &Subject<'g>) -> (Vec<Binding<'g>>, &'g [u8]) {
-        let is_hlsl = matches!(self, Self::Gpu { road: Some(Road::HlslDxc), .. });
+        let is_hlsl = matches!(self, Self::Gpu { road: Some(Road::HlslDxc | Road::HlslSlang), .. });
         let lend = |given: &'g Given| match given.lend() {
             binding if is_hlsl && given.is_immediate() => {
                 let (group, binding_in_hlsl) = immediates_in_hlsl(subject.module.module());
@@ -142,15 +142,17 @@ impl Routes {
         Self { machine: Machine::look(), opened: HashMap::new(), subgroups: HashMap::new() }
     }
 
-    /// The routes to drivers that a shader in `language` can take here.
+    /// The routes to drivers that a shader in `language` takes here unless others are named.
     #[must_use]
     pub fn ready(&self, language: Language) -> Vec<ShaderRoute> {
         let original = self.machine.drivers().iter().filter(|d| d.has_passthrough);
         let original = original.map(|d| ShaderRoute::Gpu { road: None, driver: d.name.clone() });
         let ready = self.machine.routes().into_iter().filter(|(_, state)| *state == State::Ready);
         let roads = ready.filter_map(|(route, _)| match route {
-            Route::Gpu { road, driver } => Some(ShaderRoute::Gpu { road: Some(road), driver }),
-            Route::Native | Route::Interp => None,
+            Route::Gpu { road, driver } if is_usual(road) => {
+                Some(ShaderRoute::Gpu { road: Some(road), driver })
+            }
+            Route::Gpu { .. } | Route::Native | Route::Interp => None,
         });
         let is_spirv = language == Language::Spirv;
         original.filter(|_| is_spirv).chain(roads).collect()
@@ -271,7 +273,11 @@ impl Routes {
                 }
                 None => write(Target::Wgsl),
             },
-            Some(Road::HlslDxc) => self.through_dxc(&write(Target::Hlsl)?),
+            Some(road @ (Road::HlslDxc | Road::HlslSlang)) => self.translated(road, &write(road.target())?),
+            Some(road @ Road::GlslGlslang) => {
+                check_samplers(subject.module)?;
+                self.translated(road, &write(road.target())?)
+            }
             None => {
                 let words =
                     spirv_words(&subject.source.bytes).map_err(|e| Failure::refused(e.to_string()))?;
@@ -281,14 +287,40 @@ impl Routes {
         }
     }
 
-    fn through_dxc(&self, hlsl: &Plain) -> Result<Plain, Failure> {
-        let dxc = self.machine.dxc().map_err(|e| Failure::refused(e.to_string()))?;
-        let text = hlsl.content.text().unwrap_or_default();
-        let words = dxc
-            .compile(text, "cs_6_6", Some(&hlsl.entry), DxcOutput::Spirv2018)
-            .and_then(|object| spirv_words(&object))
-            .map_err(|e| Failure::refused(e.to_string()))?;
-        Ok(Plain { content: Content::Words(words), entry: hlsl.entry.clone() })
+    /// What a translator makes of it.
+    fn translated(&self, road: Road, plain: &Plain) -> Result<Plain, Failure> {
+        let translators = self.machine.translators();
+        let text = plain.content.text().unwrap_or_default();
+        let words = match (road, translators.dxc()) {
+            // naga's writer has HLSL 2018 in mind, and foreign shaders use what kernels do not.
+            (Road::HlslDxc, Ok(dxc)) => dxc
+                .compile(text, "cs_6_6", Some(&plain.entry), DxcOutput::Spirv2018)
+                .and_then(|object| spirv_words(&object)),
+            _ => translators.spirv(road, text, &plain.entry),
+        };
+        let words = words.map_err(|e| Failure::refused(e.to_string()))?;
+        Ok(Plain { content: Content::Words(words), entry: plain.entry.clone() })
+    }
+}
+
+/// Whether shaders take this road unless others are named.
+///
+/// slang and glslang refuse, or read otherwise, much of what naga writes of a foreign module's textures, atomics and
+/// subgroups; that tells of naga's writers and not of the shader.
+fn is_usual(road: Road) -> bool {
+    match road {
+        Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
+        Road::HlslSlang | Road::GlslGlslang => false,
+    }
+}
+
+/// naga's GLSL joins a texture with a sampler, and no binding of the module is both.
+fn check_samplers(module: &ValidModule) -> Result<(), Failure> {
+    let module = module.module();
+    let is_sampler = |ty| matches!(module.types[ty].inner, naga::TypeInner::Sampler { .. });
+    match module.global_variables.iter().any(|(_, variable)| is_sampler(variable.ty)) {
+        true => Err(Failure::refused("GLSL as naga writes it has no samplers of their own".to_owned())),
+        false => Ok(()),
     }
 }
 
@@ -337,7 +369,14 @@ mod tests {
 
     #[test]
     fn routes_are_spelt_as_they_print() {
-        let drivers = ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "hlsl+dxc@swiftshader"];
+        let drivers = [
+            "original@lavapipe",
+            "spirv@lavapipe",
+            "wgsl+naga@a-card-2",
+            "hlsl+dxc@swiftshader",
+            "hlsl+slang@x",
+            "glsl+glslang@x",
+        ];
         for name in drivers.into_iter().chain(["judge", "perturbed:7"]) {
             assert_eq!(name.parse::<ShaderRoute>().map(|r| r.to_string()), Ok(name.to_owned()));
         }
