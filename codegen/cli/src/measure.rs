@@ -44,7 +44,7 @@ pub(crate) struct Args {
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let kernels = select::kernels(&args.kernels)?;
-    let mut opened = route::open(&args.routes)?;
+    let mut opened = route::open_usual(&args.routes, measure::is_documented)?;
     let machine = Machine::look();
     let setting = Setting { inputs: args.inputs as usize, seed: args.seed, cases: Cases::standard() };
     let mut run = Run {

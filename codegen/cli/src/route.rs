@@ -25,6 +25,11 @@ pub(crate) struct Opened {
 
 /// Opens what `args` asks for; a route asked for by name that is missing is an error.
 pub(crate) fn open(args: &RouteArgs) -> Result<Opened, Fail> {
+    open_usual(args, |_| true)
+}
+
+/// The same; where none is asked for, only those that are `usual`.
+pub(crate) fn open_usual(args: &RouteArgs, usual: impl Fn(&Route) -> bool) -> Result<Opened, Fail> {
     let machine = Machine::look();
     for route in &args.require {
         if let State::Missing { what, mend } = machine.state(route) {
@@ -33,7 +38,8 @@ pub(crate) fn open(args: &RouteArgs) -> Result<Opened, Fail> {
     }
     let mut opened = Opened { executors: Vec::new(), skipped: Vec::new() };
     if args.routes.is_empty() {
-        for (route, state) in machine.routes() {
+        let is_meant = |route: &Route| usual(route) || args.require.contains(route);
+        for (route, state) in machine.routes().into_iter().filter(|(route, _)| is_meant(route)) {
             opened.take(&machine, route, state, &args.require)?;
         }
         return Ok(opened);

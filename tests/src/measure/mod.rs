@@ -20,7 +20,7 @@ use crate::domain::Inputs;
 use crate::judge::{JudgeError, each_batch};
 use crate::subject::Subject;
 use lobe_backends::executor::Executor;
-use lobe_backends::route::Route;
+use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::Machine;
 use lobe_codegen::def::FunctionRef;
 use std::path::{Path, PathBuf};
@@ -101,6 +101,21 @@ fn drivers(figures: &[(Route, Figure)], machine: &Machine) -> Vec<(String, Strin
         }
     }
     found
+}
+
+/// Whether documentation shows the figures of `route`.
+///
+/// The roads of slang and glslang are left out: all roads to a driver give the same bits, which a check asks of them,
+/// and a figure that hangs on fewer compilers is out of date less often.
+#[must_use]
+pub fn is_documented(route: &Route) -> bool {
+    match route {
+        Route::Native | Route::Interp => true,
+        Route::Gpu { road, .. } => match road {
+            Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
+            Road::HlslSlang | Road::GlslGlslang => false,
+        },
+    }
 }
 
 /// The folder of the files of this source tree.
