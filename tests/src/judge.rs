@@ -16,13 +16,14 @@ use crate::report::KernelReport;
 use crate::search::{Hunt, Limit};
 use crate::subject::{Permitted, Subject};
 use crate::value::RowError;
-use lobe_backends::executor::{ExecError, Executor};
+use lobe_backends::executor::{Ahead, ExecError, Executor};
 use lobe_backends::interp::ShadowColumns;
 use lobe_backends::route::Route;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::{FunctionDef, FunctionRef};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::thread::Scope;
 
 /// Rows judged at once: enough to occupy every thread and driver, little enough to show progress.
@@ -98,13 +99,21 @@ impl Prepared {
         Self { kernel, ready: prepare(kernel, plan) }
     }
 
-    /// Prepares `kernels`, each while the one before it is judged.
+    /// Prepares `kernels`, each while the one before it is judged: `ahead` translates it then too, since some compilers
+    /// take as long as a driver takes to run a kernel.
     pub fn each<'scope>(
         scope: &'scope Scope<'scope, '_>,
         kernels: impl IntoIterator<Item = FunctionRef>,
         plan: &'scope Plan,
+        ahead: Arc<[Ahead]>,
     ) -> impl Iterator<Item = Self> {
-        one_ahead(scope, kernels.into_iter(), move |kernel| Self::new(kernel, plan))
+        one_ahead(scope, kernels.into_iter(), move |kernel| {
+            let prepared = Self::new(kernel, plan);
+            if let Ok((subject, _)) = &prepared.ready {
+                ahead.iter().for_each(|route| route.prepare(subject.program()));
+            }
+            prepared
+        })
     }
 
     /// The kernel.
@@ -112,6 +121,12 @@ impl Prepared {
     pub fn def(&self) -> &'static FunctionDef {
         (self.kernel)()
     }
+}
+
+/// What can be done for the kernels of `routes` before they run.
+#[must_use]
+pub fn ahead(routes: &[Box<dyn Executor>]) -> Arc<[Ahead]> {
+    routes.iter().filter_map(|route| route.ahead()).collect()
 }
 
 fn prepare(kernel: FunctionRef, plan: &Plan) -> Result<(Subject, Inputs), JudgeError> {
@@ -128,13 +143,16 @@ fn prepare(kernel: FunctionRef, plan: &Plan) -> Result<(Subject, Inputs), JudgeE
 fn one_ahead<'scope, T: Send + 'scope, R: Send + 'scope>(
     scope: &'scope Scope<'scope, '_>,
     mut items: impl Iterator<Item = T>,
-    make: impl Fn(T) -> R + Copy + Send + 'scope,
+    make: impl Fn(T) -> R + Clone + Send + 'scope,
 ) -> impl Iterator<Item = R> {
-    let begin = move |item| scope.spawn(move || make(item));
-    let mut next = items.next().map(begin);
+    let begin = move |item| {
+        let make = make.clone();
+        scope.spawn(move || make(item))
+    };
+    let mut next = items.next().map(&begin);
     std::iter::from_fn(move || {
         let made = next.take()?.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        next = items.next().map(begin);
+        next = items.next().map(&begin);
         Some(made)
     })
 }

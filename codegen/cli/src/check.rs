@@ -9,7 +9,7 @@ use crate::select;
 use lobe_codegen::accuracy::Model;
 use lobe_tests::cases::Cases;
 use lobe_tests::expectation;
-use lobe_tests::judge::{Plan, Prepared, judge_prepared};
+use lobe_tests::judge::{Plan, Prepared, ahead, judge_prepared};
 use lobe_tests::oracle::Mapping;
 use lobe_tests::report::part::Share;
 use lobe_tests::report::{KernelReport, Report, human, json, junit};
@@ -90,8 +90,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         kernels = kernels.into_iter().enumerate().filter(|(at, _)| share.has(*at)).map(|(_, k)| k).collect();
     }
     let bar = output::progress(kernels.len() * plan.inputs);
+    let ahead = ahead(&opened.executors);
     std::thread::scope(|scope| {
-        for kernel in Prepared::each(scope, kernels, &plan) {
+        for kernel in Prepared::each(scope, kernels, &plan, ahead) {
             bar.set_message(kernel.def().name);
             let found = judge_prepared(kernel, &plan, &mut opened.executors, &|rows| bar.inc(rows as u64));
             if args.format == Format::Human {
