@@ -116,9 +116,10 @@ pub fn rect_bandwidth_paper(ratio: f32) -> f32 {
 pub fn rect_bandwidth_slope(ratio: f32, cos_sigma: f32) -> f32 {
     let wide = ratio * ratio;
     let narrow = max(wide * (cos_sigma * cos_sigma), 1e-20);
-    let rest = max(wide * ((1.0 - cos_sigma) * (1.0 + cos_sigma)), 0.0) / (1.0 + narrow);
+    let above = 1.0 + narrow;
+    let rest = max(wide * ((1.0 - cos_sigma) * (1.0 + cos_sigma)), 0.0) / above;
     let first = (RIM - 0.5 * (narrow * log1p_over_x(narrow))) / narrow;
-    first + 0.5 * ((1.0 + wide) / (1.0 + narrow)) * log1p_over_x(rest)
+    first + 0.5 * ((1.0 + wide) / above) * log1p_over_x(rest)
 }
 
 /// The frame of a disk's lobe.

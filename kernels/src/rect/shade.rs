@@ -188,10 +188,12 @@ pub fn rect_shade_within(
     // The surface's lobe, and the product of both.
     let facing = dot(receiver.normal, receiver.view);
     let mirror = 2.0 * facing * receiver.normal - receiver.view;
-    let sharpness = 0.5 / (max(facing, 1e-3) * (receiver.alpha * receiver.alpha));
+    let alpha_squared = receiver.alpha * receiver.alpha;
+    let sharpness = 0.5 / (max(facing, 1e-3) * alpha_squared);
     let nu = form.share * sharpness;
     let chord = mirror - reflection.axis;
-    let apart = dot(chord, chord) * max(1.0 - 0.25 * dot(chord, chord), 0.0);
+    let chord_squared = dot(chord, chord);
+    let apart = chord_squared * max(1.0 - 0.25 * chord_squared, 0.0);
     let along = dot(chord, reflection.slant);
     let wide = nu / max(lambda + nu, 1e-10);
     let narrow = nu / max(mu + nu, 1e-10);
@@ -200,7 +202,7 @@ pub fn rect_shade_within(
     let seen = max(dot(mirror, reflection.axis), 0.0) * falloff;
 
     let cosine = max(dot(reflection.axis, receiver.normal), 0.0) * saturate(1e3 * facing);
-    let peak_density = 1.0 / (PI * (receiver.alpha * receiver.alpha));
+    let peak_density = 1.0 / (PI * alpha_squared);
     // The amplitude times the product: a share of the energy, in which each bandwidth enters once.
     let share = inverse_sqrt(1.0 + nu / max(lambda, 1e-6)) * inverse_sqrt(1.0 + nu / max(mu, 1e-6));
     let lit = receiver.reflectance * cosine * peak_density * (energy * share * seen);
