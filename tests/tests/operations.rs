@@ -44,6 +44,12 @@ const KNOWN: &[(&str, &str, &str)] = &[
         "HLSL has no asinh: the emitted text has its formula, the driver another one",
     ),
     ("op_acosh", "routes @swiftshader", "as op_asinh"),
+    (
+        "op_integer_operators",
+        "glsl+glslang@swiftshader",
+        "naga's GLSL has `%` for integers, which GLSL does not define where an operand is negative",
+    ),
+    ("op_integer_operators", "routes @swiftshader", "as by glsl+glslang"),
 ];
 
 fn is_known(known: &(&str, &str, &str), kernel: &str, subject: &str) -> bool {

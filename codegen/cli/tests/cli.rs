@@ -172,7 +172,7 @@ fn routes_that_are_none_or_missing_differ_in_their_exit_code() {
 }
 
 #[track_caller]
-fn assert_named_when_unusable(variable: &str, path: &std::path::Path, route: &str) {
+fn assert_named_when_unusable(variable: &str, path: &Path, route: &str) {
     let output = command(&["doctor"]).env(variable, path).output().expect("the binary runs");
     let said = assert_holds(&output);
     assert!(said.contains(&format!("{} cannot be used", path.display())), "{said}");
