@@ -28,11 +28,13 @@ pub enum Road {
     WgslNaga,
     /// HLSL text through Microsoft's DXC.
     HlslDxc,
+    /// WGSL text through Dawn's Tint.
+    WgslTint,
 }
 
 impl Road {
     /// Every road.
-    pub const ALL: [Self; 3] = [Self::Spirv, Self::WgslNaga, Self::HlslDxc];
+    pub const ALL: [Self; 4] = [Self::Spirv, Self::WgslNaga, Self::HlslDxc, Self::WgslTint];
 
     /// The part of a route's name before `@`.
     #[must_use]
@@ -41,6 +43,7 @@ impl Road {
             Self::Spirv => "spirv",
             Self::WgslNaga => "wgsl+naga",
             Self::HlslDxc => "hlsl+dxc",
+            Self::WgslTint => "wgsl+tint",
         }
     }
 }
@@ -103,7 +106,14 @@ mod tests {
 
     #[test]
     fn names_come_back_as_they_went() {
-        for name in ["native", "interp", "spirv@lavapipe", "wgsl+naga@swiftshader", "hlsl+dxc@a-card-2"] {
+        for name in [
+            "native",
+            "interp",
+            "spirv@lavapipe",
+            "wgsl+naga@swiftshader",
+            "hlsl+dxc@a-card-2",
+            "wgsl+tint@lavapipe",
+        ] {
             assert_eq!(name.parse::<Route>().map(|r| r.to_string()), Ok(name.to_owned()));
         }
     }

@@ -1,9 +1,9 @@
 //! Which routes this machine has, which it lacks and why, and how one is opened.
 
 use crate::executor::{Executor, GpuRoute, Interp, Native};
-use crate::gpu::{self, Driver, Gpu, GpuError};
+use crate::gpu::{self, AnyGpu, DawnGpu, Driver, Gpu, GpuError};
 use crate::route::{Road, Route};
-use crate::translate::{Dxc, TranslateError};
+use crate::translate::{Dawn, Dxc, TranslateError};
 use std::sync::Arc;
 
 /// The drivers that are spoken of even where they are missing, with the way to get them.
@@ -31,6 +31,7 @@ pub enum State {
 pub struct Machine {
     drivers: Vec<Driver>,
     dxc: Result<Arc<Dxc>, TranslateError>,
+    dawn: Result<Dawn, TranslateError>,
 }
 
 /// Why a route was not opened.
@@ -66,7 +67,7 @@ impl Machine {
     /// Looks for drivers and translators.
     #[must_use]
     pub fn look() -> Self {
-        Self { drivers: gpu::drivers(), dxc: Dxc::find().map(Arc::new) }
+        Self { drivers: gpu::drivers(), dxc: Dxc::find().map(Arc::new), dawn: Dawn::find() }
     }
 
     /// The Vulkan drivers that were found.
@@ -81,6 +82,14 @@ impl Machine {
     /// When it was not found or does not load.
     pub fn dxc(&self) -> Result<&Dxc, &TranslateError> {
         self.dxc.as_deref()
+    }
+
+    /// Dawn, or why there is none.
+    ///
+    /// # Errors
+    /// When it or node was not found, or is something else.
+    pub fn dawn(&self) -> Result<&Dawn, &TranslateError> {
+        self.dawn.as_ref()
     }
 
     /// Every route with its state: native and interp first, then driver by driver.
@@ -102,20 +111,28 @@ impl Machine {
     pub fn state(&self, route: &Route) -> State {
         let Route::Gpu { road, driver: name } = route else { return State::Ready };
         let Some(driver) = self.driver(name) else { return self.no_driver(name) };
-        match (road, &self.dxc) {
-            (Road::Spirv | Road::HlslDxc, _) if !driver.has_passthrough => State::Missing {
+        match road {
+            Road::Spirv | Road::HlslDxc if !driver.has_passthrough => State::Missing {
                 what: format!("{name} takes no SPIR-V unchanged"),
                 mend: format!("use wgsl+naga@{name}"),
             },
-            (Road::HlslDxc, Err(TranslateError::NotFound { tool, mend, .. })) => {
-                State::Missing { what: format!("{tool} was not found"), mend: (*mend).to_owned() }
-            }
-            (Road::HlslDxc, Err(error)) => State::Missing {
-                what: error.to_string(),
-                mend: "run tests/setup.sh, or set LOBE_DXC to the path of a libdxcompiler.so".to_owned(),
+            Road::HlslDxc => of_tool(&self.dxc, "LOBE_DXC to the path of a libdxcompiler.so"),
+            Road::WgslTint => match self.twin(driver) {
+                Some(twin) => State::Missing {
+                    what: format!("Dawn knows devices by their names, and {name} has that of {twin}"),
+                    mend: format!("use wgsl+tint@{twin}"),
+                },
+                None => of_tool(&self.dawn, "LOBE_DAWN to the folder of the npm package webgpu"),
             },
-            (Road::Spirv | Road::WgslNaga | Road::HlslDxc, _) => State::Ready,
+            Road::Spirv | Road::WgslNaga => State::Ready,
         }
+    }
+
+    /// A driver that comes before `driver` and whose device has the same name.
+    fn twin(&self, driver: &Driver) -> Option<&str> {
+        let is_same =
+            |d: &&Driver| d.adapter_name == driver.adapter_name && d.vulkan_icd == driver.vulkan_icd;
+        self.drivers.iter().find(is_same).map(|first| first.name.as_str()).filter(|name| *name != driver.name)
     }
 
     /// Opens `route`, and its device if it has one.
@@ -130,12 +147,26 @@ impl Machine {
             Route::Native => Ok(Box::new(Native)),
             Route::Interp => Ok(Box::new(Interp)),
             Route::Gpu { road, driver } => {
-                let driver = self.driver(driver).map(Gpu::open);
-                let Some(opened) = driver else { return self.open(&Route::Interp) };
+                let Some(driver) = self.driver(driver) else { return self.open(&Route::Interp) };
+                let opened = self.device(*road, driver);
                 let gpu = opened.map_err(|cause| OpenError::Driver { route: route.clone(), cause })?;
                 let dxc = self.dxc.as_ref().ok().cloned();
                 Ok(Box::new(GpuRoute::new(route.clone(), *road, gpu, dxc)))
             }
+        }
+    }
+
+    /// Opens a device for `road`.
+    ///
+    /// # Errors
+    /// When it does not open, or there is no Dawn to open it.
+    pub fn device(&self, road: Road, driver: &Driver) -> Result<AnyGpu, GpuError> {
+        match road {
+            Road::Spirv | Road::WgslNaga | Road::HlslDxc => Gpu::open(driver).map(AnyGpu::Wgpu),
+            Road::WgslTint => match &self.dawn {
+                Ok(dawn) => DawnGpu::open(dawn, driver).map(|gpu| AnyGpu::Dawn(Box::new(gpu))),
+                Err(error) => Err(GpuError::Open { driver: driver.name.clone(), reason: error.to_string() }),
+            },
         }
     }
 
@@ -153,6 +184,19 @@ impl Machine {
                 Some((_, mend)) => (*mend).to_owned(),
                 None => "`lobe doctor` lists the drivers of this machine".to_owned(),
             },
+        }
+    }
+}
+
+/// Whether a tool was found; `variable` names it, and says what it is to be.
+fn of_tool<T>(found: &Result<T, TranslateError>, variable: &str) -> State {
+    match found {
+        Ok(_) => State::Ready,
+        Err(TranslateError::NotFound { tool, mend, .. }) => {
+            State::Missing { what: format!("{tool} was not found"), mend: (*mend).to_owned() }
+        }
+        Err(error) => {
+            State::Missing { what: error.to_string(), mend: format!("run tests/setup.sh, or set {variable}") }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::trace::{self, Trace};
 use super::{ExecError, Executor, Program};
-use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
+use crate::gpu::{AnyGpu, Binding, BindingKind, Job, Shader};
 use crate::route::{Road, Route};
 use crate::translate::{Dxc, DxcOutput, spirv_words};
 use lobe_codegen::data::Columns;
@@ -36,14 +36,15 @@ enum Words {
 pub struct GpuRoute {
     route: Route,
     road: Road,
-    gpu: Gpu,
+    gpu: AnyGpu,
     dxc: Option<Arc<Dxc>>,
 }
 
 impl GpuRoute {
-    /// The route by `road` to the device `gpu`; `dxc` is needed by [`Road::HlslDxc`].
+    /// The route by `road` to the device `gpu`, which is Dawn's for [`Road::WgslTint`]; `dxc` is needed by
+    /// [`Road::HlslDxc`].
     #[must_use]
-    pub fn new(route: Route, road: Road, gpu: Gpu, dxc: Option<Arc<Dxc>>) -> Self {
+    pub fn new(route: Route, road: Road, gpu: AnyGpu, dxc: Option<Arc<Dxc>>) -> Self {
         Self { route, road, gpu, dxc }
     }
 
@@ -128,7 +129,7 @@ impl Source<'_> {
     fn words(&self, road: Road, dxc: Option<&Dxc>) -> Result<Words, ExecError> {
         Ok(match road {
             Road::Spirv => content(self.artifact(Target::Spirv)?.content),
-            Road::WgslNaga => content(self.artifact(Target::Wgsl)?.content),
+            Road::WgslNaga | Road::WgslTint => content(self.artifact(Target::Wgsl)?.content),
             Road::HlslDxc => self.through_dxc(dxc)?,
         })
     }

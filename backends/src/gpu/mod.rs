@@ -35,8 +35,10 @@
 //! A driver that crashes takes the process along, and broken SPIR-V makes some drivers crash. Run
 //! [`spirv_val`](crate::translate::spirv_val) first on words that you do not trust.
 
+mod any;
 mod bindings;
 mod check;
+mod dawn;
 mod depth;
 mod device;
 mod driver;
@@ -48,6 +50,8 @@ mod spirv;
 mod textures;
 mod worker;
 
+pub use any::AnyGpu;
+pub use dawn::DawnGpu;
 pub use driver::{Driver, drivers};
 pub use error::GpuError;
 pub use worker::{DEFAULT_TIMEOUT, Gpu};

@@ -1,10 +1,12 @@
 //! Foreign compilers and validators, each found where `tests/setup.sh` puts it or where the system has it.
 //!
 //! - [`dxc`]: Microsoft's HLSL compiler, loaded into this process.
+//! - [`dawn`]: Google's WebGPU, whose WGSL compiler is Tint, in a process that stays.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
 //!
 //! A tool that is not there gives [`TranslateError::NotFound`], which says how to get it.
 
+pub mod dawn;
 pub mod dxc;
 mod dxc_com;
 pub(crate) mod elf;
@@ -12,6 +14,8 @@ mod error;
 pub mod spirv_val;
 mod tools;
 
+pub use dawn::Dawn;
+pub use dawn::tint::Tint;
 pub use dxc::{Compiled, Dxc, DxcOutput};
 pub use error::TranslateError;
 pub use tools::tools_dir;

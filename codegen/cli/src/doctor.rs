@@ -36,6 +36,12 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         let (major, minor) = dxc.version();
         format!("{major}.{minor}, {}", dxc.path().display())
     });
+    let dawn = machine.dawn();
+    let package = dawn.map(|dawn| format!("{}, {}", dawn.version(), dawn.package().display()));
+    let node = dawn.map_err(ToString::to_string).and_then(|dawn| {
+        let version = dawn.node_version().map_err(|e| e.to_string())?;
+        Ok(format!("{version}, {}", dawn.node().display()))
+    });
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
         Tool { name: "dxc", found: dxc.map_err(ToString::to_string) },
@@ -43,6 +49,8 @@ fn tools(machine: &Machine) -> Vec<Tool> {
             name: "spirv-val",
             found: spirv_val::find().map(|p| p.display().to_string()).map_err(|e| e.to_string()),
         },
+        Tool { name: "dawn", found: package.map_err(ToString::to_string) },
+        Tool { name: "node", found: node },
         Tool {
             name: "tools folder",
             found: folder.ok_or_else(|| "there is none; run tests/setup.sh".to_owned()),

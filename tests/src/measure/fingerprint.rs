@@ -52,6 +52,10 @@ pub(super) fn driver(machine: &Machine, name: &str) -> String {
         Ok((major, minor)) => write!(text, ", DXC {major}.{minor}"),
         Err(_) => write!(text, ", no DXC"),
     };
+    let _ = match machine.dawn() {
+        Ok(dawn) => write!(text, ", Dawn {}", dawn.version()),
+        Err(_) => write!(text, ", no Dawn"),
+    };
     text
 }
 

@@ -22,8 +22,12 @@ pub(super) enum Asked {
 const HARDWARE: &str = "gpu";
 
 /// The names of roads in names of tests.
-const ROADS: [(&str, Road); 3] =
-    [("spirv_", Road::Spirv), ("wgsl_naga_", Road::WgslNaga), ("hlsl_dxc_", Road::HlslDxc)];
+const ROADS: [(&str, Road); 4] = [
+    ("spirv_", Road::Spirv),
+    ("wgsl_naga_", Road::WgslNaga),
+    ("hlsl_dxc_", Road::HlslDxc),
+    ("wgsl_tint_", Road::WgslTint),
+];
 
 impl Asked {
     pub(super) fn of(test: &str) -> Result<Self, String> {
@@ -70,8 +74,8 @@ pub(super) fn route(test: &str) -> Result<Route, String> {
             Ok(Route::Gpu { road, driver: driver.replace('_', "-") })
         }
         _ => Err(format!(
-            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_ or hlsl_dxc_ and a driver, as \
-             spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` lists those of this machine)"
+            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, hlsl_dxc_ or wgsl_tint_ and a \
+             driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` lists those of this machine)"
         )),
     }
 }
@@ -132,6 +136,7 @@ mod tests {
             ("spirv_lavapipe", "spirv@lavapipe"),
             ("wgsl_naga_swiftshader", "wgsl+naga@swiftshader"),
             ("hlsl_dxc_nvidia_h100", "hlsl+dxc@nvidia-h100"),
+            ("wgsl_tint_lavapipe", "wgsl+tint@lavapipe"),
         ] {
             assert_eq!(route(test).map(|route| route.to_string()), Ok(name.to_owned()));
         }

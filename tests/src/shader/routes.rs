@@ -1,9 +1,9 @@
 //! The routes of a shader beside the interpreter: what each is given, and what it leaves.
 
 use super::given::{Given, Owned};
-use super::machine::MachineError;
+use super::machine::{MachineError, uses_subgroups};
 use super::report::RouteStatus;
-use lobe_backends::gpu::{Binding, BindingKind, Gpu, GpuError, Job, Shader};
+use lobe_backends::gpu::{AnyGpu, Binding, BindingKind, GpuError, Job, Shader};
 use lobe_backends::interp::InterpError;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
@@ -113,6 +113,19 @@ pub struct Subject<'s> {
     pub interp: super::machine::Machine<'s>,
 }
 
+impl Subject<'_> {
+    fn is_own_wgsl(&self) -> bool {
+        self.is_as_written && self.source.language == Language::Wgsl
+    }
+
+    /// WGSL with the directive that WebGPU asks for before subgroups, which naga neither writes nor asks for. It is
+    /// on the first line, so that the others keep their numbers.
+    fn for_tint(&self, wgsl: &str, entry: &str) -> Plain {
+        let directive = if uses_subgroups(self.module) { "enable subgroups; " } else { "" };
+        Plain { content: Content::Text(format!("{directive}{wgsl}")), entry: entry.to_owned() }
+    }
+}
+
 /// Why a route has no results.
 #[derive(Debug)]
 pub struct Failure {
@@ -126,8 +139,32 @@ pub struct Failure {
 #[derive(Debug)]
 pub struct Routes {
     machine: Machine,
-    opened: HashMap<String, Gpu>,
+    opened: HashMap<(String, Way), AnyGpu>,
     subgroups: HashMap<String, Option<u32>>,
+}
+
+/// How a driver is reached.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Way {
+    Wgpu,
+    Dawn,
+}
+
+impl Way {
+    fn of(road: Option<Road>) -> Self {
+        match road {
+            Some(Road::WgslTint) => Self::Dawn,
+            None | Some(Road::Spirv | Road::WgslNaga | Road::HlslDxc) => Self::Wgpu,
+        }
+    }
+
+    /// A road that goes this way.
+    fn road(self) -> Road {
+        match self {
+            Self::Wgpu => Road::Spirv,
+            Self::Dawn => Road::WgslTint,
+        }
+    }
 }
 
 /// Tells the size of a subgroup.
@@ -197,7 +234,7 @@ impl Routes {
             Content::Words(words) => Shader::Spirv(words),
         };
         let (bindings, immediates) = route.lend(subject);
-        let gpu = self.open(driver)?;
+        let gpu = self.open(driver, Way::of(road))?;
         gpu.set_timeout(timeout);
         let job = Job {
             shader,
@@ -226,7 +263,7 @@ impl Routes {
         if let Some(known) = self.subgroups.get(driver) {
             return *known;
         }
-        let size = self.open(driver).ok().and_then(|gpu| {
+        let size = self.open(driver, Way::Wgpu).ok().and_then(|gpu| {
             let kind = BindingKind::StorageReadWrite;
             let bindings = [Binding { group: 0, binding: 0, kind, data: &[0; 4] }];
             let shader = Shader::Wgsl(PROBE);
@@ -245,16 +282,17 @@ impl Routes {
         size
     }
 
-    fn open(&mut self, name: &str) -> Result<&mut Gpu, Failure> {
-        if !self.opened.contains_key(name) {
+    fn open(&mut self, name: &str, way: Way) -> Result<&mut AnyGpu, Failure> {
+        let place = (name.to_owned(), way);
+        if !self.opened.contains_key(&place) {
             let driver = self.machine.drivers().iter().find(|d| d.name == name);
             let Some(driver) = driver else {
                 return Err(Failure::refused(format!("there is no driver {name} here")));
             };
-            let gpu = Gpu::open(driver).map_err(|e| Failure::of_gpu(&e))?;
-            self.opened.insert(name.to_owned(), gpu);
+            let gpu = self.machine.device(way.road(), driver).map_err(|e| Failure::of_gpu(&e))?;
+            self.opened.insert(place.clone(), gpu);
         }
-        self.opened.get_mut(name).ok_or_else(|| Failure::refused(format!("{name} was lost")))
+        self.opened.get_mut(&place).ok_or_else(|| Failure::refused(format!("{name} was lost")))
     }
 
     /// What the driver is given.
@@ -270,6 +308,13 @@ impl Routes {
                     Ok(Plain { content: Content::Text(text.into_owned()), entry: subject.entry.to_owned() })
                 }
                 None => write(Target::Wgsl),
+            },
+            Some(Road::WgslTint) => match subject.source.text().filter(|_| subject.is_own_wgsl()) {
+                Some(text) => Ok(subject.for_tint(text, subject.entry)),
+                None => {
+                    let written = write(Target::Wgsl)?;
+                    Ok(subject.for_tint(written.content.text().unwrap_or_default(), &written.entry))
+                }
             },
             Some(Road::HlslDxc) => self.through_dxc(&write(Target::Hlsl)?),
             None => {
@@ -337,7 +382,7 @@ mod tests {
 
     #[test]
     fn routes_are_spelt_as_they_print() {
-        let drivers = ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "hlsl+dxc@swiftshader"];
+        let drivers = ["original@lavapipe", "spirv@lavapipe", "wgsl+naga@a-card-2", "wgsl+tint@swiftshader"];
         for name in drivers.into_iter().chain(["judge", "perturbed:7"]) {
             assert_eq!(name.parse::<ShaderRoute>().map(|r| r.to_string()), Ok(name.to_owned()));
         }

@@ -49,7 +49,7 @@ pub enum BenchError {
         /// Why.
         cause: GpuError,
     },
-    /// HLSL is not measured.
+    /// Of compilers of others nothing is measured.
     #[error("throughput by {0} is not measured; take spirv or wgsl+naga")]
     Road(String),
 }
@@ -162,7 +162,7 @@ impl<'w> Subject<'w> {
         let shader = match road {
             Road::Spirv => Shader::Spirv(&self.spirv),
             Road::WgslNaga => Shader::Wgsl(&self.workload.text),
-            Road::HlslDxc => return Err(BenchError::Road(road.name().to_owned())),
+            Road::HlslDxc | Road::WgslTint => return Err(BenchError::Road(road.name().to_owned())),
         };
         let job = Job {
             shader,
