@@ -29,7 +29,8 @@ step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
 # The main job, as a user runs it, with every road to the driver that CI must have, and drivers drawn by chance.
 step_check() {
     cargo run --release -- check --sanitize --perturbed 10 \
-        --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe"
+        --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe" \
+        --require "wgsl+tint@lavapipe"
 }
 # What share of faults seeded into the library a check notices.
 step_mutate() { cargo run --release -- mutate --equivalence 200000; }
