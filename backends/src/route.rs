@@ -1,5 +1,6 @@
 //! How a kernel reaches a machine, and the name of that way: `native`, `interp`, `target+translator@driver`.
 
+use crate::gpu::Api;
 use std::fmt;
 use std::str::FromStr;
 
@@ -30,11 +31,13 @@ pub enum Road {
     HlslDxc,
     /// WGSL text through Dawn's Tint.
     WgslTint,
+    /// GLSL text, handed to an OpenGL driver unchanged.
+    Glsl,
 }
 
 impl Road {
     /// Every road.
-    pub const ALL: [Self; 4] = [Self::Spirv, Self::WgslNaga, Self::HlslDxc, Self::WgslTint];
+    pub const ALL: [Self; 5] = [Self::Spirv, Self::WgslNaga, Self::HlslDxc, Self::WgslTint, Self::Glsl];
 
     /// The part of a route's name before `@`.
     #[must_use]
@@ -44,6 +47,16 @@ impl Road {
             Self::WgslNaga => "wgsl+naga",
             Self::HlslDxc => "hlsl+dxc",
             Self::WgslTint => "wgsl+tint",
+            Self::Glsl => "glsl",
+        }
+    }
+
+    /// The interface of the drivers that it leads to.
+    #[must_use]
+    pub fn api(self) -> Api {
+        match self {
+            Self::Spirv | Self::WgslNaga | Self::HlslDxc | Self::WgslTint => Api::Vulkan,
+            Self::Glsl => Api::OpenGl,
         }
     }
 }
@@ -113,6 +126,7 @@ mod tests {
             "wgsl+naga@swiftshader",
             "hlsl+dxc@a-card-2",
             "wgsl+tint@lavapipe",
+            "glsl@llvmpipe",
         ] {
             assert_eq!(name.parse::<Route>().map(|r| r.to_string()), Ok(name.to_owned()));
         }

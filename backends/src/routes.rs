@@ -1,15 +1,20 @@
 //! Which routes this machine has, which it lacks and why, and how one is opened.
 
 use crate::executor::{Executor, GpuRoute, Interp, Native};
-use crate::gpu::{self, AnyGpu, DawnGpu, Driver, Gpu, GpuError};
+use crate::gpu::{self, AnyGpu, Api, DawnGpu, Driver, Gpu, GpuError};
 use crate::route::{Road, Route};
 use crate::translate::{Dawn, Dxc, TranslateError};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The drivers that are spoken of even where they are missing, with the way to get them.
-const EXPECTED: [(&str, &str); 2] = [
-    ("lavapipe", "run tests/setup.sh, or install your system's mesa-vulkan-drivers package"),
-    ("swiftshader", "run tests/setup.sh"),
+const EXPECTED: [(&str, Api, &str); 3] = [
+    ("lavapipe", Api::Vulkan, "run tests/setup.sh, or install your system's mesa-vulkan-drivers package"),
+    ("swiftshader", Api::Vulkan, "run tests/setup.sh"),
+    (
+        "llvmpipe",
+        Api::OpenGl,
+        "run tests/setup.sh, or install your system's EGL of Mesa (libegl1, libegl-mesa0)",
+    ),
 ];
 
 /// Whether a route can be taken.
@@ -30,6 +35,8 @@ pub enum State {
 #[derive(Clone, Debug)]
 pub struct Machine {
     drivers: Vec<Driver>,
+    /// Looked for when first asked for: that takes a context.
+    gl_drivers: OnceLock<Vec<Driver>>,
     dxc: Result<Arc<Dxc>, TranslateError>,
     dawn: Result<Dawn, TranslateError>,
 }
@@ -67,13 +74,24 @@ impl Machine {
     /// Looks for drivers and translators.
     #[must_use]
     pub fn look() -> Self {
-        Self { drivers: gpu::drivers(), dxc: Dxc::find().map(Arc::new), dawn: Dawn::find() }
+        Self {
+            drivers: gpu::drivers(),
+            gl_drivers: OnceLock::new(),
+            dxc: Dxc::find().map(Arc::new),
+            dawn: Dawn::find(),
+        }
     }
 
     /// The Vulkan drivers that were found.
     #[must_use]
     pub fn drivers(&self) -> &[Driver] {
         &self.drivers
+    }
+
+    /// The OpenGL drivers that were found.
+    #[must_use]
+    pub fn gl_drivers(&self) -> &[Driver] {
+        self.gl_drivers.get_or_init(gpu::gl_drivers)
     }
 
     /// DXC, or why there is none.
@@ -95,12 +113,13 @@ impl Machine {
     /// Every route with its state: native and interp first, then driver by driver.
     #[must_use]
     pub fn routes(&self) -> Vec<(Route, State)> {
-        let found = self.drivers.iter().map(|d| d.name.as_str());
-        let missing = EXPECTED.iter().map(|(name, _)| *name);
-        let missing = missing.filter(|name| self.driver(name).is_none());
-        let names: Vec<&str> = found.chain(missing).collect();
-        let gpu = names.into_iter().flat_map(|driver| {
-            Road::ALL.into_iter().map(|road| Route::Gpu { road, driver: driver.to_owned() })
+        let found = self.drivers.iter().chain(self.gl_drivers()).map(|d| (d.name.as_str(), d.api));
+        let missing = EXPECTED.iter().map(|(name, api, _)| (*name, *api));
+        let missing = missing.filter(|(name, api)| self.driver(*api, name).is_none());
+        let names: Vec<(&str, Api)> = found.chain(missing).collect();
+        let gpu = names.into_iter().flat_map(|(driver, api)| {
+            let roads = Road::ALL.into_iter().filter(move |road| road.api() == api);
+            roads.map(|road| Route::Gpu { road, driver: driver.to_owned() })
         });
         let all = [Route::Native, Route::Interp].into_iter().chain(gpu);
         all.map(|route| (route.clone(), self.state(&route))).collect()
@@ -110,7 +129,7 @@ impl Machine {
     #[must_use]
     pub fn state(&self, route: &Route) -> State {
         let Route::Gpu { road, driver: name } = route else { return State::Ready };
-        let Some(driver) = self.driver(name) else { return self.no_driver(name) };
+        let Some(driver) = self.driver(road.api(), name) else { return self.no_driver(road.api(), name) };
         match road {
             Road::Spirv | Road::HlslDxc if !driver.has_passthrough => State::Missing {
                 what: format!("{name} takes no SPIR-V unchanged"),
@@ -124,7 +143,7 @@ impl Machine {
                 },
                 None => of_tool(&self.dawn, "LOBE_DAWN to the folder of the npm package webgpu"),
             },
-            Road::Spirv | Road::WgslNaga => State::Ready,
+            Road::Spirv | Road::WgslNaga | Road::Glsl => State::Ready,
         }
     }
 
@@ -147,7 +166,7 @@ impl Machine {
             Route::Native => Ok(Box::new(Native)),
             Route::Interp => Ok(Box::new(Interp)),
             Route::Gpu { road, driver } => {
-                let Some(driver) = self.driver(driver) else { return self.open(&Route::Interp) };
+                let Some(driver) = self.driver(road.api(), driver) else { return self.open(&Route::Interp) };
                 let opened = self.device(*road, driver);
                 let gpu = opened.map_err(|cause| OpenError::Driver { route: route.clone(), cause })?;
                 let dxc = self.dxc.as_ref().ok().cloned();
@@ -162,7 +181,9 @@ impl Machine {
     /// When it does not open, or there is no Dawn to open it.
     pub fn device(&self, road: Road, driver: &Driver) -> Result<AnyGpu, GpuError> {
         match road {
-            Road::Spirv | Road::WgslNaga | Road::HlslDxc => Gpu::open(driver).map(AnyGpu::Wgpu),
+            Road::Spirv | Road::WgslNaga | Road::HlslDxc | Road::Glsl => {
+                Gpu::open(driver).map(|gpu| AnyGpu::Wgpu(Box::new(gpu)))
+            }
             Road::WgslTint => match &self.dawn {
                 Ok(dawn) => DawnGpu::open(dawn, driver).map(|gpu| AnyGpu::Dawn(Box::new(gpu))),
                 Err(error) => Err(GpuError::Open { driver: driver.name.clone(), reason: error.to_string() }),
@@ -170,18 +191,27 @@ impl Machine {
         }
     }
 
-    fn driver(&self, name: &str) -> Option<&Driver> {
-        self.drivers.iter().find(|d| d.name == name)
+    /// The drivers that are reached by `api`.
+    #[must_use]
+    pub fn drivers_of(&self, api: Api) -> &[Driver] {
+        match api {
+            Api::Vulkan => &self.drivers,
+            Api::OpenGl => self.gl_drivers(),
+        }
     }
 
-    fn no_driver(&self, name: &str) -> State {
-        let known = EXPECTED.iter().find(|(expected, _)| *expected == name);
-        let names: Vec<&str> = self.drivers.iter().map(|d| d.name.as_str()).collect();
+    fn driver(&self, api: Api, name: &str) -> Option<&Driver> {
+        self.drivers_of(api).iter().find(|d| d.name == name)
+    }
+
+    fn no_driver(&self, api: Api, name: &str) -> State {
+        let known = EXPECTED.iter().find(|(expected, its, _)| (*expected, *its) == (name, api));
+        let names: Vec<&str> = self.drivers_of(api).iter().map(|d| d.name.as_str()).collect();
         let here = if names.is_empty() { "there is none".to_owned() } else { names.join(", ") };
         State::Missing {
-            what: format!("no Vulkan driver `{name}` was found (here: {here})"),
+            what: format!("no {api} driver `{name}` was found (here: {here})"),
             mend: match known {
-                Some((_, mend)) => (*mend).to_owned(),
+                Some((_, _, mend)) => (*mend).to_owned(),
                 None => "`lobe doctor` lists the drivers of this machine".to_owned(),
             },
         }

@@ -32,7 +32,7 @@ fn run(gpu: &mut DawnGpu, wgsl: &str, input: &[f32]) -> Result<Vec<f32>, GpuErro
 fn results_are_those_of_wgpu_on_the_same_driver() {
     for name in ["lavapipe", "swiftshader"] {
         let (Some(mut by_dawn), Some(driver)) = (opened(name), driver(name)) else { continue };
-        let mut by_wgpu = AnyGpu::Wgpu(Gpu::open(&driver).expect("opens"));
+        let mut by_wgpu = AnyGpu::Wgpu(Box::new(Gpu::open(&driver).expect("opens")));
         let (input, output) = (bytes(&ramp()), bytes(&vec![-1.0; ramp().len()]));
         let bindings = bindings(&input, &output);
         let job = job(Shader::Wgsl(DEMANDING_WGSL), &bindings);

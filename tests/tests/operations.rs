@@ -44,6 +44,18 @@ const KNOWN: &[(&str, &str, &str)] = &[
         "HLSL has no asinh: the emitted text has its formula, the driver another one",
     ),
     ("op_acosh", "routes @swiftshader", "as op_asinh"),
+    (
+        "op_smoothstep",
+        "routes @swiftshader",
+        "Tint writes its formula out, t (t (3 - 2 t)); of the instruction the driver makes (t t) (3 - 2 t)",
+    ),
+    ("op_mix", "glsl@llvmpipe", "Mesa computes x + (y - x) t, as SwiftShader does"),
+    ("op_mix_vector", "glsl@llvmpipe", "as op_mix"),
+    (
+        "op_integer_operators",
+        "glsl@llvmpipe",
+        "naga writes % for remainders, which GLSL leaves undefined where an operand is negative",
+    ),
 ];
 
 fn is_known(known: &(&str, &str, &str), kernel: &str, subject: &str) -> bool {

@@ -30,6 +30,7 @@ pub(super) struct Artifacts {
 enum Words {
     Wgsl(String),
     Spirv(Vec<u32>),
+    Glsl(String),
 }
 
 /// Runs kernels on one driver, through one target and translator.
@@ -69,7 +70,7 @@ impl GpuRoute {
         bindings.push(bind(result.group, layout.count_binding, BindingKind::Uniform, &count));
         let outputs = self.gpu.run(&Job {
             shader: words.shader(),
-            entry: &layout.entry_name,
+            entry: words.shader().entry_name(&layout.entry_name),
             workgroup_size: [layout.workgroup_size, 1, 1],
             groups: [(args.rows as u32).div_ceil(layout.workgroup_size), 1, 1],
             bindings: &bindings,
@@ -131,6 +132,10 @@ impl Source<'_> {
             Road::Spirv => content(self.artifact(Target::Spirv)?.content),
             Road::WgslNaga | Road::WgslTint => content(self.artifact(Target::Wgsl)?.content),
             Road::HlslDxc => self.through_dxc(dxc)?,
+            Road::Glsl => {
+                let artifact = self.artifact(Target::Glsl)?;
+                Words::Glsl(artifact.content.text().unwrap_or_default().to_owned())
+            }
         })
     }
 
@@ -162,6 +167,7 @@ impl Words {
         match self {
             Self::Wgsl(text) => Shader::Wgsl(text),
             Self::Spirv(words) => Shader::Spirv(words),
+            Self::Glsl(text) => Shader::Glsl(text),
         }
     }
 }

@@ -93,7 +93,7 @@ pub(super) fn dispatch(
         .collect();
     let outputs = gpu.run(&Job {
         shader,
-        entry: &traced.layout.entry_name,
+        entry: shader.entry_name(&traced.layout.entry_name),
         workgroup_size: [traced.layout.workgroup_size, 1, 1],
         groups: [1, 1, 1],
         bindings: &bindings,

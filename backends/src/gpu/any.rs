@@ -8,7 +8,7 @@ use super::{DawnGpu, Driver, Gpu, GpuError, Job};
 #[derive(Debug)]
 pub enum AnyGpu {
     /// Through wgpu, in this process.
-    Wgpu(Gpu),
+    Wgpu(Box<Gpu>),
     /// Through Dawn, in another.
     Dawn(Box<DawnGpu>),
 }

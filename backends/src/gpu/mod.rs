@@ -1,4 +1,4 @@
-//! Runs compute shaders, given as text or words, on whatever Vulkan drivers this machine has.
+//! Runs compute shaders, given as text or words, on whatever Vulkan and OpenGL drivers this machine has.
 //!
 //! ```no_run
 //! use lobe_backends::gpu::{self, Binding, BindingKind, Gpu, Job, Shader};
@@ -27,6 +27,8 @@
 //! The latter are opened as libraries, without the loader: so no environment variable has to be set, and
 //! SwiftShader works on a machine that has no Vulkan loader at all.
 //!
+//! OpenGL drivers are found through EGL ([`gl_drivers`]), without a display, where the system has it.
+//!
 //! # What can go wrong
 //!
 //! Each [`Gpu`] keeps its device on a thread of its own.
@@ -52,11 +54,12 @@ mod worker;
 
 pub use any::AnyGpu;
 pub use dawn::DawnGpu;
-pub use driver::{Driver, drivers};
+pub use driver::{Api, Driver, drivers, gl_drivers};
 pub use error::GpuError;
 pub use worker::{DEFAULT_TIMEOUT, Gpu};
 
 use crate::texture::{Sampler, TextureShape};
+use lobe_codegen::emit::Target;
 
 /// A compute shader, in the form in which it was emitted.
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +68,19 @@ pub enum Shader<'a> {
     Wgsl(&'a str),
     /// SPIR-V words; they reach the driver unchanged.
     Spirv(&'a [u32]),
+    /// GLSL text; it reaches an OpenGL driver unchanged. Its resources are buffers in group 0, and each kind has the
+    /// numbers of the text.
+    Glsl(&'a str),
+}
+
+impl Shader<'_> {
+    /// What the shader calls an entry point that is declared as `name`.
+    pub(crate) fn entry_name<'n>(&self, name: &'n str) -> &'n str {
+        match self {
+            Self::Wgsl(_) | Self::Spirv(_) => name,
+            Self::Glsl(_) => Target::Glsl.entry_name(name),
+        }
+    }
 }
 
 /// How a shader uses a storage texture.

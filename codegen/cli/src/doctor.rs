@@ -67,10 +67,10 @@ fn human(machine: &Machine, tools: &[Tool]) -> String {
         };
     }
     out += "drivers\n";
-    for driver in machine.drivers() {
+    for driver in machine.drivers().iter().chain(machine.gl_drivers()) {
         let _ = writeln!(out, "  {:<12} {} ({})", driver.name, driver.adapter_name, driver.driver_info);
     }
-    if machine.drivers().is_empty() {
+    if machine.drivers().is_empty() && machine.gl_drivers().is_empty() {
         out += "  none; `native` and `interp` need none\n";
     }
     out += "tools\n";
@@ -98,7 +98,7 @@ fn as_json(machine: &Machine, tools: &[Tool]) -> Value {
     json!({
         "schema": 1,
         "routes": machine.routes().into_iter().map(route).collect::<Vec<_>>(),
-        "drivers": machine.drivers().iter().map(driver).collect::<Vec<_>>(),
+        "drivers": machine.drivers().iter().chain(machine.gl_drivers()).map(driver).collect::<Vec<_>>(),
         "tools": tools.iter().map(tool).collect::<Vec<_>>(),
     })
 }

@@ -43,7 +43,8 @@ fn fnv(text: &str) -> u64 {
 /// What decides the results of a driver: it and its version, the device, the translator; and the processor,
 /// where that is the device.
 pub(super) fn driver(machine: &Machine, name: &str) -> String {
-    let Some(driver) = machine.drivers().iter().find(|d| d.name == name) else { return "unknown".to_owned() };
+    let mut drivers = machine.drivers().iter().chain(machine.gl_drivers());
+    let Some(driver) = drivers.find(|d| d.name == name) else { return "unknown".to_owned() };
     let mut text = format!("{}, {}", driver.adapter_name, driver.driver_info);
     if driver.is_software {
         let _ = write!(text, ", {}", processor());

@@ -22,11 +22,12 @@ pub(super) enum Asked {
 const HARDWARE: &str = "gpu";
 
 /// The names of roads in names of tests.
-const ROADS: [(&str, Road); 4] = [
+const ROADS: [(&str, Road); 5] = [
     ("spirv_", Road::Spirv),
     ("wgsl_naga_", Road::WgslNaga),
     ("hlsl_dxc_", Road::HlslDxc),
     ("wgsl_tint_", Road::WgslTint),
+    ("glsl_", Road::Glsl),
 ];
 
 impl Asked {
@@ -74,8 +75,9 @@ pub(super) fn route(test: &str) -> Result<Route, String> {
             Ok(Route::Gpu { road, driver: driver.replace('_', "-") })
         }
         _ => Err(format!(
-            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, hlsl_dxc_ or wgsl_tint_ and a \
-             driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` lists those of this machine)"
+            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, hlsl_dxc_, wgsl_tint_ or glsl_ \
+             and a driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` lists those of \
+             this machine)"
         )),
     }
 }
@@ -114,11 +116,11 @@ fn open(route: Route, machine: &Machine) -> Result<Box<dyn Executor>, OpenError>
     if driver != HARDWARE {
         return machine.open(&Route::Gpu { road, driver });
     }
-    match machine.drivers().iter().find(|driver| !driver.is_software) {
+    match machine.drivers_of(road.api()).iter().find(|driver| !driver.is_software) {
         Some(found) => machine.open(&Route::Gpu { road, driver: found.name.clone() }),
         None => Err(OpenError::Missing {
             route: Route::Gpu { road, driver },
-            what: "no Vulkan driver of hardware was found".to_owned(),
+            what: format!("no {} driver of hardware was found", road.api()),
             mend: "install your graphics card's, or leave its tests out with `routes = [..]`".to_owned(),
         }),
     }
@@ -137,6 +139,7 @@ mod tests {
             ("wgsl_naga_swiftshader", "wgsl+naga@swiftshader"),
             ("hlsl_dxc_nvidia_h100", "hlsl+dxc@nvidia-h100"),
             ("wgsl_tint_lavapipe", "wgsl+tint@lavapipe"),
+            ("glsl_llvmpipe", "glsl@llvmpipe"),
         ] {
             assert_eq!(route(test).map(|route| route.to_string()), Ok(name.to_owned()));
         }

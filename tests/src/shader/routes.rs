@@ -114,6 +114,15 @@ pub struct Subject<'s> {
 }
 
 impl Subject<'_> {
+    /// Whether `road` has all kinds of resources that the shader uses.
+    fn may_take(&self, road: Road) -> bool {
+        match road {
+            Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
+            Road::WgslTint => self.given.iter().all(|given| !given.is_immediate() && given.is_buffer()),
+            Road::Glsl => false,
+        }
+    }
+
     fn is_own_wgsl(&self) -> bool {
         self.is_as_written && self.source.language == Language::Wgsl
     }
@@ -154,7 +163,7 @@ impl Way {
     fn of(road: Option<Road>) -> Self {
         match road {
             Some(Road::WgslTint) => Self::Dawn,
-            None | Some(Road::Spirv | Road::WgslNaga | Road::HlslDxc) => Self::Wgpu,
+            None | Some(Road::Spirv | Road::WgslNaga | Road::HlslDxc | Road::Glsl) => Self::Wgpu,
         }
     }
 
@@ -179,17 +188,19 @@ impl Routes {
         Self { machine: Machine::look(), opened: HashMap::new(), subgroups: HashMap::new() }
     }
 
-    /// The routes to drivers that a shader in `language` can take here.
+    /// The routes to drivers that `subject` can take here.
     #[must_use]
-    pub fn ready(&self, language: Language) -> Vec<ShaderRoute> {
+    pub fn ready(&self, subject: &Subject<'_>) -> Vec<ShaderRoute> {
         let original = self.machine.drivers().iter().filter(|d| d.has_passthrough);
         let original = original.map(|d| ShaderRoute::Gpu { road: None, driver: d.name.clone() });
         let ready = self.machine.routes().into_iter().filter(|(_, state)| *state == State::Ready);
         let roads = ready.filter_map(|(route, _)| match route {
-            Route::Gpu { road, driver } => Some(ShaderRoute::Gpu { road: Some(road), driver }),
-            Route::Native | Route::Interp => None,
+            Route::Gpu { road, driver } if subject.may_take(road) => {
+                Some(ShaderRoute::Gpu { road: Some(road), driver })
+            }
+            Route::Gpu { .. } | Route::Native | Route::Interp => None,
         });
-        let is_spirv = language == Language::Spirv;
+        let is_spirv = subject.source.language == Language::Spirv;
         original.filter(|_| is_spirv).chain(roads).collect()
     }
 
@@ -317,6 +328,10 @@ impl Routes {
                 }
             },
             Some(Road::HlslDxc) => self.through_dxc(&write(Target::Hlsl)?),
+            Some(Road::Glsl) => Err(Failure::refused(
+                "glsl is a road of kernels alone: OpenGL has no groups of resources; take another road"
+                    .to_owned(),
+            )),
             None => {
                 let words =
                     spirv_words(&subject.source.bytes).map_err(|e| Failure::refused(e.to_string()))?;

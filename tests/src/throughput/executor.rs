@@ -162,7 +162,9 @@ impl<'w> Subject<'w> {
         let shader = match road {
             Road::Spirv => Shader::Spirv(&self.spirv),
             Road::WgslNaga => Shader::Wgsl(&self.workload.text),
-            Road::HlslDxc | Road::WgslTint => return Err(BenchError::Road(road.name().to_owned())),
+            Road::HlslDxc | Road::WgslTint | Road::Glsl => {
+                return Err(BenchError::Road(road.name().to_owned()));
+            }
         };
         let job = Job {
             shader,
