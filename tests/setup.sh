@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, DXC, Dawn,
+# Installs what the full test run needs beside Rust: Vulkan and OpenGL drivers that run on the CPU, SPIR-V tools, DXC, Dawn,
 # SwiftShader, and a browser for the pages of reports.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
@@ -102,6 +102,20 @@ vulkan() {
         fi
     fi
     say "lavapipe (Vulkan)" "mesa-vulkan-drivers $(installed_version mesa-vulkan-drivers)"
+}
+
+# The same Mesa's OpenGL, on the CPU and without a display.
+opengl() {
+    if [[ -z $(installed_version libegl1) || -z $(installed_version libegl-mesa0) ]]; then
+        needs "llvmpipe (OpenGL)" || return 0
+        local release=()
+        if on_debian_12; then
+            add_backports
+            release=(-t bookworm-backports)
+        fi
+        apt_install "${release[@]}" libegl1 libegl-mesa0 || fail "llvmpipe (OpenGL)" "apt could not install it (see above)"
+    fi
+    say "llvmpipe (OpenGL)" "libegl-mesa0 $(installed_version libegl-mesa0)"
 }
 
 # Debian's spirv-tools: a second, older opinion, and the fallback where the wheel does not run.
@@ -277,6 +291,7 @@ if ! command -v apt-get >/dev/null; then
     cat >&2 <<MANUAL
 setup: this script knows Debian and Ubuntu (apt-get), which this system is not. Please install:
   - a Vulkan loader and Mesa's lavapipe, 25 or newer (often: vulkan-loader, mesa-vulkan-drivers or vulkan-swrast)
+  - EGL and Mesa's OpenGL (often: libegl, mesa-libEGL)
   - spirv-tools (spirv-val on the PATH)
   - DXC: put libdxcompiler.so into $tools/lib, or name it in LOBE_DXC
   - Dawn: npm install --prefix $tools/dawn $dawn_package, and node $node_minimum or newer on the PATH
@@ -288,6 +303,7 @@ fi
 . /etc/os-release
 
 vulkan
+opengl
 spirv_tools_apt
 nextest
 if [[ $(uname -m) == x86_64 ]]; then
