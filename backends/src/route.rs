@@ -1,5 +1,6 @@
 //! How a kernel reaches a machine, and the name of that way: `native`, `interp`, `target+translator@driver`.
 
+use crate::gpu::Api;
 use lobe_codegen::emit::Target;
 use std::fmt;
 use std::str::FromStr;
@@ -29,6 +30,10 @@ pub enum Road {
     WgslNaga,
     /// HLSL text through Microsoft's DXC.
     HlslDxc,
+    /// WGSL text through Dawn's Tint.
+    WgslTint,
+    /// GLSL text, handed to an OpenGL driver unchanged.
+    Glsl,
     /// HLSL text through Khronos' slang.
     HlslSlang,
     /// GLSL text through Khronos' glslang.
@@ -37,8 +42,15 @@ pub enum Road {
 
 impl Road {
     /// Every road.
-    pub const ALL: [Self; 5] =
-        [Self::Spirv, Self::WgslNaga, Self::HlslDxc, Self::HlslSlang, Self::GlslGlslang];
+    pub const ALL: [Self; 7] = [
+        Self::Spirv,
+        Self::WgslNaga,
+        Self::WgslTint,
+        Self::HlslDxc,
+        Self::HlslSlang,
+        Self::GlslGlslang,
+        Self::Glsl,
+    ];
 
     /// The part of a route's name before `@`.
     #[must_use]
@@ -47,8 +59,10 @@ impl Road {
             Self::Spirv => "spirv",
             Self::WgslNaga => "wgsl+naga",
             Self::HlslDxc => "hlsl+dxc",
+            Self::WgslTint => "wgsl+tint",
             Self::HlslSlang => "hlsl+slang",
             Self::GlslGlslang => "glsl+glslang",
+            Self::Glsl => "glsl",
         }
     }
 
@@ -57,9 +71,23 @@ impl Road {
     pub fn target(self) -> Target {
         match self {
             Self::Spirv => Target::Spirv,
-            Self::WgslNaga => Target::Wgsl,
+            Self::WgslNaga | Self::WgslTint => Target::Wgsl,
             Self::HlslDxc | Self::HlslSlang => Target::Hlsl,
-            Self::GlslGlslang => Target::Glsl,
+            Self::GlslGlslang | Self::Glsl => Target::Glsl,
+        }
+    }
+
+    /// The interface of the drivers that it leads to.
+    #[must_use]
+    pub fn api(self) -> Api {
+        match self {
+            Self::Spirv
+            | Self::WgslNaga
+            | Self::WgslTint
+            | Self::HlslDxc
+            | Self::HlslSlang
+            | Self::GlslGlslang => Api::Vulkan,
+            Self::Glsl => Api::OpenGl,
         }
     }
 
@@ -68,7 +96,7 @@ impl Road {
     pub fn ends_in_spirv(self) -> bool {
         match self {
             Self::Spirv | Self::HlslDxc | Self::HlslSlang | Self::GlslGlslang => true,
-            Self::WgslNaga => false,
+            Self::WgslNaga | Self::WgslTint | Self::Glsl => false,
         }
     }
 }
@@ -138,6 +166,8 @@ mod tests {
             "wgsl+naga@swiftshader",
             "hlsl+dxc@a-card-2",
             "hlsl+slang@x",
+            "wgsl+tint@lavapipe",
+            "glsl@llvmpipe",
         ] {
             assert_eq!(name.parse::<Route>().map(|r| r.to_string()), Ok(name.to_owned()));
         }

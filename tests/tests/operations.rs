@@ -45,11 +45,12 @@ const KNOWN: &[(&str, &str, &str)] = &[
     ),
     ("op_acosh", "routes @swiftshader", "as op_asinh"),
     (
-        "op_integer_operators",
-        "glsl+glslang@swiftshader",
-        "naga's GLSL has `%` for integers, which GLSL does not define where an operand is negative",
+        "op_smoothstep",
+        "routes @swiftshader",
+        "Tint writes its formula out, t (t (3 - 2 t)); of the instruction the driver makes (t t) (3 - 2 t)",
     ),
-    ("op_integer_operators", "routes @swiftshader", "as by glsl+glslang"),
+    ("op_mix", "glsl@llvmpipe", "Mesa computes x + (y - x) t, as SwiftShader does"),
+    ("op_mix_vector", "glsl@llvmpipe", "as op_mix"),
 ];
 
 fn is_known(known: &(&str, &str, &str), kernel: &str, subject: &str) -> bool {

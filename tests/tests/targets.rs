@@ -1,11 +1,11 @@
-//! Every kernel in every target is accepted by a tool of that language itself: naga for WGSL, spirv-val
-//! for SPIR-V, DXC for HLSL. A missing tool is a loud skip, and a failure under `LOBE_REQUIRE_TOOLS`.
+//! Every kernel in every target is accepted by a tool of that language itself: naga and Tint for WGSL,
+//! spirv-val for SPIR-V, DXC for HLSL. A missing tool is a loud skip, and a failure under `LOBE_REQUIRE_TOOLS`.
 
 mod common;
 
 use lobe_backends::executor::Program;
 use lobe_backends::translate::dxc::{Dxc, DxcOutput};
-use lobe_backends::translate::{TranslateError, spirv_val};
+use lobe_backends::translate::{Dawn, Tint, TranslateError, spirv_val};
 use lobe_codegen::emit::{Content, Options, Target, emit, with_entries};
 use lobe_codegen::validate::from_wgsl;
 use lobe_kernels::registry::KERNELS;
@@ -34,6 +34,22 @@ fn wgsl_parses_again_under_the_same_names() {
         let (entry_name, content) = entry(&program, Target::Wgsl);
         let again = from_wgsl(content.text().expect("text")).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert_eq!(again.module().entry_points[0].name, entry_name);
+    }
+}
+
+#[test]
+fn wgsl_is_valid_for_tint_as_library_and_as_compute_shader() {
+    let dawn = match Dawn::find() {
+        Ok(dawn) => dawn,
+        Err(TranslateError::NotFound { tool, mend, .. }) => return common::skip(tool, mend),
+        Err(error) => panic!("{error}"),
+    };
+    let mut tint = Tint::start(&dawn).unwrap_or_else(|e| panic!("{e}"));
+    for program in programs() {
+        let (_, shader) = entry(&program, Target::Wgsl);
+        for text in [library(&program, Target::Wgsl).as_str(), shader.text().expect("text")] {
+            tint.validate(text).unwrap_or_else(|e| panic!("{}: {e}", program.name()));
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::trace::{self, Trace};
 use super::{ExecError, Executor, Program};
-use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
+use crate::gpu::{AnyGpu, Binding, BindingKind, Job, Shader};
 use crate::route::{Road, Route};
 use crate::translate::Translators;
 use lobe_codegen::data::Columns;
@@ -30,20 +30,22 @@ pub(super) struct Artifacts {
 enum Words {
     Wgsl(String),
     Spirv(Vec<u32>),
+    Glsl(String),
 }
 
 /// Runs kernels on one driver, through one target and translator.
 pub struct GpuRoute {
     route: Route,
     road: Road,
-    gpu: Gpu,
+    gpu: AnyGpu,
     translators: Arc<Translators>,
 }
 
 impl GpuRoute {
-    /// The route by `road` to the device `gpu`, through the road's own of `translators`.
+    /// The route by `road` to the device `gpu`, which is Dawn's for [`Road::WgslTint`], through the road's own of
+    /// `translators`.
     #[must_use]
-    pub fn new(route: Route, road: Road, gpu: Gpu, translators: Arc<Translators>) -> Self {
+    pub fn new(route: Route, road: Road, gpu: AnyGpu, translators: Arc<Translators>) -> Self {
         Self { route, road, gpu, translators }
     }
 
@@ -149,7 +151,8 @@ impl Source<'_> {
     fn words(&self, road: Road, translators: &Translators) -> Result<Words, ExecError> {
         let artifact = self.artifact(road.target())?;
         match road {
-            Road::Spirv | Road::WgslNaga => Ok(content(artifact.content)),
+            Road::Spirv | Road::WgslNaga | Road::WgslTint => Ok(content(artifact.content)),
+            Road::Glsl => Ok(Words::Glsl(artifact.content.text().unwrap_or_default().to_owned())),
             Road::HlslDxc | Road::HlslSlang | Road::GlslGlslang => {
                 let text = artifact.content.text().unwrap_or_default();
                 let words = translators.spirv(road, text, self.entry);
@@ -170,6 +173,7 @@ impl Words {
         match self {
             Self::Wgsl(text) => Shader::Wgsl(text),
             Self::Spirv(words) => Shader::Spirv(words),
+            Self::Glsl(text) => Shader::Glsl(text),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What a kernel computes on the way, on one row.
 
 use super::ExecError;
-use crate::gpu::{Binding, BindingKind, Gpu, Job, Shader};
+use crate::gpu::{AnyGpu, Binding, BindingKind, Job, Shader};
 use crate::interp::{Buffer, InterpError, Interpreter, ShadowBuffer};
 use lobe_codegen::data::Columns;
 use lobe_codegen::layout::unpack;
@@ -75,7 +75,7 @@ pub fn shadow(traced: &Traced, args: &Columns) -> Result<Option<ShadowBuffer>, I
 
 /// The run of a shader's entry point on a driver.
 pub(super) fn dispatch(
-    gpu: &mut Gpu,
+    gpu: &mut AnyGpu,
     (shader, entry): (Shader<'_>, &str),
     kernel: &'static str,
     traced: &Traced,

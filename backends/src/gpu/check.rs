@@ -11,11 +11,12 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
     check_workgroup(driver, limits, job.workgroup_size)?;
     check_groups(driver, limits, job.groups)?;
     let places = check_places(limits, job.bindings)?;
+    check_glsl(driver, limits, job)?;
     check_count(driver, limits, job)?;
     check_immediates(driver, limits, job.immediates)?;
     job.bindings.iter().try_for_each(|binding| check_binding(driver, limits, binding))?;
     match job.shader {
-        Shader::Wgsl(_) => Ok(()),
+        Shader::Wgsl(_) | Shader::Glsl(_) => Ok(()),
         Shader::Spirv(words) => {
             let checked = spirv::check(words, job.entry, job.workgroup_size, &places);
             checked.map_err(|reason| GpuError::BadSpirv { reason })
@@ -98,7 +99,8 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
         ));
     }
     let groups: BTreeSet<u32> = job.bindings.iter().map(|b| b.group).collect();
-    let fillers: usize = groups.into_iter().map(|group| fillers(job, group).len()).sum();
+    let fillers = groups.into_iter().flat_map(|group| fillers(job, group));
+    let fillers = fillers.filter(|filler| filler.kind == BindingKind::StorageRead).count();
     let storage = |b: &&Binding| matches!(b.kind, BindingKind::StorageRead | BindingKind::StorageReadWrite);
     let own = job.bindings.iter().filter(storage).count();
     if own + fillers > limit as usize {
@@ -106,6 +108,35 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
             "{own} storage buffers and {fillers} unused numbers between bindings are more than the {limit} storage \
              buffers that {driver} binds"
         ));
+    }
+    Ok(())
+}
+
+/// GLSL that is passed through has buffers, without groups, whose numbers wgpu must reach by counting.
+fn check_glsl(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), GpuError> {
+    if !matches!(job.shader, Shader::Glsl(_)) {
+        return Ok(());
+    }
+    if job.entry != "main" || !job.immediates.is_empty() || job.bindings.iter().any(|b| b.group != 0) {
+        return bad("GLSL has one entry point, main, no immediates here, and no groups but 0");
+    }
+    for binding in job.bindings {
+        let most = match binding.kind {
+            BindingKind::Uniform => limits.max_uniform_buffers_per_shader_stage,
+            BindingKind::StorageRead | BindingKind::StorageReadWrite => {
+                limits.max_storage_buffers_per_shader_stage
+            }
+            BindingKind::Texture(_) | BindingKind::StorageTexture(..) | BindingKind::Sampler(_) => {
+                let feature = "textures and samplers in GLSL, only buffers";
+                return Err(GpuError::Unsupported { driver: driver.to_owned(), feature });
+            }
+        };
+        if binding.binding >= most {
+            return bad(format!(
+                "binding {} is too high a number for GLSL on {driver}: give such bindings numbers below {most}",
+                binding.binding
+            ));
+        }
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::bindings::{Bindings, Spare};
 use super::driver::{self, block_on};
 use super::pipelines::{self, Key, Pipeline, Pipelines};
-use super::{Driver, GpuError, Job, Shader};
+use super::{Api, Driver, GpuError, Job, Shader};
 
 /// Asked for where the adapter has them; none changes what a shader without them computes.
 pub(super) const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
@@ -27,9 +27,13 @@ pub(super) const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
     .union(wgpu::Features::FLOAT32_FILTERABLE)
     .union(wgpu::Features::BGRA8UNORM_STORAGE);
 
+/// Bytes of what is bound where a job has nothing: a `vec4` for uniform buffers.
+const FILLER: u64 = 16;
+
 /// A device with what was made on it.
 pub(super) struct Device {
     name: String,
+    api: Api,
     device: wgpu::Device,
     queue: wgpu::Queue,
     faults: Arc<Faults>,
@@ -80,12 +84,21 @@ impl Device {
         watch(&device, &faults);
         let filler = device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
-            size: wgpu::COPY_BUFFER_ALIGNMENT,
-            usage: wgpu::BufferUsages::STORAGE,
+            size: FILLER,
+            usage: wgpu::BufferUsages::STORAGE.union(wgpu::BufferUsages::UNIFORM),
             mapped_at_creation: false,
         });
         let (pipelines, spare) = Default::default();
-        Ok(Self { name: driver.name.clone(), device, queue, faults, pipelines, spare, filler })
+        Ok(Self {
+            name: driver.name.clone(),
+            api: driver.api,
+            device,
+            queue,
+            faults,
+            pipelines,
+            spare,
+            filler,
+        })
     }
 
     pub(super) fn limits(&self) -> wgpu::Limits {
@@ -141,9 +154,7 @@ impl Device {
     }
 
     fn pipeline(&mut self, job: &Job) -> Result<Pipeline, GpuError> {
-        let is_spirv = matches!(job.shader, Shader::Spirv(_));
-        if is_spirv && !self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) {
-            let feature = "unchanged SPIR-V (wgpu's PASSTHROUGH_SHADERS)";
+        if let Some(feature) = self.lacking(job.shader) {
             return Err(GpuError::Unsupported { driver: self.name.clone(), feature });
         }
         let key = Key::of(job, self.device.features());
@@ -151,9 +162,20 @@ impl Device {
             return Ok(pipeline);
         }
         let built = self.scoped(|| pipelines::build(&self.device, job));
-        let pipeline = built.map_err(|fault| self.pipeline_error(fault, is_spirv))?;
+        let pipeline = built.map_err(|fault| self.pipeline_error(fault, job.shader))?;
         self.pipelines.keep(key, pipeline.clone());
         Ok(pipeline)
+    }
+
+    /// What the device would have to offer for such a shader.
+    fn lacking(&self, shader: Shader) -> Option<&'static str> {
+        let passes = self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS);
+        match (shader, self.api) {
+            (Shader::Wgsl(_), _) => None,
+            (Shader::Spirv(_), Api::Vulkan) | (Shader::Glsl(_), Api::OpenGl) if passes => None,
+            (Shader::Spirv(_), _) => Some("unchanged SPIR-V (wgpu's PASSTHROUGH_SHADERS, on Vulkan)"),
+            (Shader::Glsl(_), _) => Some("unchanged GLSL (wgpu's PASSTHROUGH_SHADERS, on OpenGL)"),
+        }
     }
 
     fn submit(&self, pipeline: &Pipeline, bindings: &Bindings, job: &Job, back: bool) {
@@ -186,9 +208,9 @@ impl Device {
         job: &Job,
     ) -> wgpu::BindGroup {
         let of_group = job.bindings.iter().enumerate().filter(|(_, b)| b.group == group);
-        let bound = of_group.map(|(index, b)| (b.binding, bindings.bound(index)));
+        let bound = of_group.map(|(index, b)| (pipelines::place(job.shader, b), bindings.bound(index)));
         let fillers = pipelines::fillers(job, group).into_iter();
-        let fillers = fillers.map(|binding| (binding, self.filler.as_entire_binding()));
+        let fillers = fillers.map(|filler| (filler.place, self.filler.as_entire_binding()));
         let entries: Vec<_> = bound
             .chain(fillers)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
@@ -216,13 +238,16 @@ impl Device {
         taken(&self.faults.uncaptured).map_or(Ok(()), |message| Err(Fault::Rejected(message)))
     }
 
-    fn pipeline_error(&self, fault: Fault, is_spirv: bool) -> GpuError {
+    fn pipeline_error(&self, fault: Fault, shader: Shader) -> GpuError {
         let driver = self.name.clone();
         match fault {
             Fault::Lost(message) => GpuError::Refused { driver, message },
             Fault::OutOfMemory => GpuError::OutOfMemory { driver },
-            Fault::Rejected(message) if is_spirv => GpuError::Refused { driver, message },
-            Fault::Rejected(message) => GpuError::InvalidWgsl { driver, message },
+            Fault::Rejected(message) => match shader {
+                Shader::Wgsl(_) => GpuError::InvalidWgsl { driver, message },
+                Shader::Spirv(_) => GpuError::Refused { driver, message },
+                Shader::Glsl(_) => GpuError::InvalidGlsl { driver, message },
+            },
         }
     }
 

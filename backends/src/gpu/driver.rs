@@ -1,4 +1,4 @@
-//! Which Vulkan drivers there are, and how each is found again when it is opened.
+//! Which Vulkan and OpenGL drivers there are, and how each is found again when it is opened.
 
 use std::path::PathBuf;
 use std::pin::pin;
@@ -11,12 +11,42 @@ use super::device::WANTED;
 use super::icd;
 use crate::translate;
 
-/// A Vulkan driver together with one device that it drives.
+/// The interface by which a driver is reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Api {
+    /// Vulkan, which takes SPIR-V.
+    Vulkan,
+    /// OpenGL, which takes GLSL.
+    OpenGl,
+}
+
+impl std::fmt::Display for Api {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Vulkan => "Vulkan",
+            Self::OpenGl => "OpenGL",
+        })
+    }
+}
+
+impl Api {
+    fn backend(self) -> wgpu::Backends {
+        match self {
+            Self::Vulkan => wgpu::Backends::VULKAN,
+            Self::OpenGl => wgpu::Backends::GL,
+        }
+    }
+}
+
+/// A driver together with one device that it drives.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Driver {
-    /// Short and stable: `lavapipe`, `swiftshader`, or the device's name as a slug (`nvidia-geforce-rtx-4090`).
+    /// Short and stable: `lavapipe`, `swiftshader`, or the device's name as a slug (`nvidia-geforce-rtx-4090`); of an
+    /// OpenGL driver `llvmpipe`, or a slug that ends in `-gl`.
     pub name: String,
+    /// How it is reached.
+    pub api: Api,
     /// The device, as the driver calls it.
     pub adapter_name: String,
     /// The driver and its version, as it states them.
@@ -27,7 +57,7 @@ pub struct Driver {
     pub is_software: bool,
     /// Whether shaders may use `f64`.
     pub has_f64: bool,
-    /// Whether SPIR-V can be handed to it unchanged.
+    /// Whether its own language, SPIR-V or GLSL, can be handed to it unchanged.
     pub has_passthrough: bool,
     /// What shaders may use beyond what every device has.
     pub capabilities: Capabilities,
@@ -37,18 +67,30 @@ pub struct Driver {
     index: usize,
 }
 
-/// The drivers of this machine: lavapipe first, then other CPU drivers, then real GPUs.
+/// The Vulkan drivers of this machine: lavapipe first, then other CPU drivers, then real GPUs.
 ///
 /// Empty where there are none. Takes some ten milliseconds, for each driver is loaded to ask it for its devices.
 #[must_use]
 pub fn drivers() -> Vec<Driver> {
-    let mut found = listed(None);
+    let mut found = listed(Api::Vulkan, None);
     for manifest in tool_manifests() {
-        let mut more = listed(Some(manifest));
+        let mut more = listed(Api::Vulkan, Some(manifest));
         more.retain(|new| !new.is_software || found_by_name(&found, &new.name).is_none());
         found.append(&mut more);
     }
     found.sort_by_key(|driver| (driver.name != "lavapipe", !driver.is_software));
+    number_twins(&mut found);
+    found
+}
+
+/// The OpenGL drivers of this machine that have compute shaders.
+///
+/// Empty where there is no EGL, which is looked for at run time. A context is made to ask each for its device, so it
+/// takes longer than [`drivers`].
+#[must_use]
+pub fn gl_drivers() -> Vec<Driver> {
+    let mut found = listed(Api::OpenGl, None);
+    found.retain(|driver| driver.has_passthrough);
     number_twins(&mut found);
     found
 }
@@ -62,28 +104,30 @@ fn tool_manifests() -> Vec<PathBuf> {
 }
 
 /// The devices of one source; a source that does not open has none.
-fn listed(vulkan_icd: Option<PathBuf>) -> Vec<Driver> {
-    let adapters = adapters(vulkan_icd.as_ref()).unwrap_or_default();
-    adapters.iter().enumerate().map(|(index, adapter)| describe(adapter, vulkan_icd.clone(), index)).collect()
+fn listed(api: Api, vulkan_icd: Option<PathBuf>) -> Vec<Driver> {
+    let adapters = adapters(api, vulkan_icd.as_ref()).unwrap_or_default();
+    let describe = |(index, adapter)| describe(adapter, api, vulkan_icd.clone(), index);
+    adapters.iter().enumerate().map(describe).collect()
 }
 
-fn adapters(vulkan_icd: Option<&PathBuf>) -> Result<Vec<wgpu::Adapter>, String> {
+fn adapters(api: Api, vulkan_icd: Option<&PathBuf>) -> Result<Vec<wgpu::Adapter>, String> {
     let instance = match vulkan_icd {
         Some(manifest) => icd::instance(manifest)?,
         None => wgpu::Instance::new(wgpu::InstanceDescriptor {
-            backends: wgpu::Backends::VULKAN,
+            backends: api.backend(),
             flags: wgpu::InstanceFlags::empty(),
             ..wgpu::InstanceDescriptor::new_without_display_handle()
         }),
     };
-    Ok(block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN)))
+    Ok(block_on(instance.enumerate_adapters(api.backend())))
 }
 
-fn describe(adapter: &wgpu::Adapter, vulkan_icd: Option<PathBuf>, index: usize) -> Driver {
+fn describe(adapter: &wgpu::Adapter, api: Api, vulkan_icd: Option<PathBuf>, index: usize) -> Driver {
     let info = adapter.get_info();
     let features = adapter.features();
     Driver {
-        name: short_name(&info.name, &info.driver),
+        name: short_name(api, &info.name, &info.driver),
+        api,
         driver_info: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
         adapter_name: info.name,
         vulkan_icd,
@@ -94,13 +138,22 @@ fn describe(adapter: &wgpu::Adapter, vulkan_icd: Option<PathBuf>, index: usize) 
             features & WANTED,
             adapter.get_downlevel_capabilities().flags,
         ),
-        has_unnamed_formats: icd::reads_without_format(adapter),
+        has_unnamed_formats: api == Api::Vulkan && icd::reads_without_format(adapter),
         index,
     }
 }
 
 /// Names that do not change with the LLVM version or the CPU's vector width, for routes and reports are keyed by them.
-fn short_name(adapter: &str, driver: &str) -> String {
+fn short_name(api: Api, adapter: &str, driver: &str) -> String {
+    let is_llvmpipe = adapter.starts_with("llvmpipe");
+    match api {
+        Api::OpenGl if is_llvmpipe => "llvmpipe".to_owned(),
+        Api::OpenGl => format!("{}-gl", slug(adapter)),
+        Api::Vulkan => vulkan_name(adapter, driver),
+    }
+}
+
+fn vulkan_name(adapter: &str, driver: &str) -> String {
     if driver == "llvmpipe" || adapter.starts_with("llvmpipe") {
         "lavapipe".to_owned()
     } else if adapter.starts_with("SwiftShader") {
@@ -130,7 +183,7 @@ fn number_twins(drivers: &mut [Driver]) {
 
 /// The adapter behind `driver`.
 pub(super) fn adapter(driver: &Driver) -> Result<wgpu::Adapter, String> {
-    let adapter = adapters(driver.vulkan_icd.as_ref())?.into_iter().nth(driver.index);
+    let adapter = adapters(driver.api, driver.vulkan_icd.as_ref())?.into_iter().nth(driver.index);
     adapter
         .filter(|adapter| adapter.get_info().name == driver.adapter_name)
         .ok_or_else(|| format!("the device `{}` is not there any more", driver.adapter_name))
@@ -155,6 +208,7 @@ mod tests {
     fn named(name: &str) -> Driver {
         Driver {
             name: name.to_owned(),
+            api: Api::Vulkan,
             adapter_name: String::new(),
             driver_info: String::new(),
             vulkan_icd: None,
@@ -169,9 +223,20 @@ mod tests {
 
     #[test]
     fn names_are_short_and_stable() {
-        assert_eq!(short_name("llvmpipe (LLVM 15.0.6, 256 bits)", "llvmpipe"), "lavapipe");
-        assert_eq!(short_name("SwiftShader Device (Subzero)", "SwiftShader driver"), "swiftshader");
-        assert_eq!(short_name("NVIDIA GeForce RTX 4090 (AD102)", "NVIDIA"), "nvidia-geforce-rtx-4090-ad102");
+        assert_eq!(short_name(Api::Vulkan, "llvmpipe (LLVM 15.0.6, 256 bits)", "llvmpipe"), "lavapipe");
+        assert_eq!(
+            short_name(Api::Vulkan, "SwiftShader Device (Subzero)", "SwiftShader driver"),
+            "swiftshader"
+        );
+        assert_eq!(
+            short_name(Api::Vulkan, "NVIDIA GeForce RTX 4090 (AD102)", "NVIDIA"),
+            "nvidia-geforce-rtx-4090-ad102"
+        );
+        assert_eq!(short_name(Api::OpenGl, "llvmpipe (LLVM 15.0.6, 256 bits)", ""), "llvmpipe");
+        assert_eq!(
+            short_name(Api::OpenGl, "NVIDIA GeForce RTX 4090/PCIe/SSE2", ""),
+            "nvidia-geforce-rtx-4090-pcie-sse2-gl"
+        );
     }
 
     #[test]

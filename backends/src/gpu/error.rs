@@ -57,6 +57,15 @@ pub enum GpuError {
         message: String,
     },
 
+    /// The driver would not make a pipeline from the GLSL.
+    #[error("{driver}: the driver refused the GLSL: {message}")]
+    InvalidGlsl {
+        /// [`Driver::name`](super::Driver::name).
+        driver: String,
+        /// What the driver said, with the line where it states one.
+        message: String,
+    },
+
     /// More workgroups along one axis than the driver starts.
     #[error(
         "{driver}: {asked:?} workgroups are more than the {limit} per axis that the driver allows; split the job"

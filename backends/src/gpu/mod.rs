@@ -1,4 +1,4 @@
-//! Runs compute shaders, given as text or words, on whatever Vulkan drivers this machine has.
+//! Runs compute shaders, given as text or words, on whatever Vulkan and OpenGL drivers this machine has.
 //!
 //! ```no_run
 //! use lobe_backends::gpu::{self, Binding, BindingKind, Gpu, Job, Shader};
@@ -27,6 +27,8 @@
 //! The latter are opened as libraries, without the loader: so no environment variable has to be set, and
 //! SwiftShader works on a machine that has no Vulkan loader at all.
 //!
+//! OpenGL drivers are found through EGL ([`gl_drivers`]), without a display, where the system has it.
+//!
 //! # What can go wrong
 //!
 //! Each [`Gpu`] keeps its device on a thread of its own.
@@ -35,8 +37,10 @@
 //! A driver that crashes takes the process along, and broken SPIR-V makes some drivers crash. Run
 //! [`spirv_val`](crate::translate::spirv_val) first on words that you do not trust.
 
+mod any;
 mod bindings;
 mod check;
+mod dawn;
 mod depth;
 mod device;
 mod driver;
@@ -48,7 +52,9 @@ mod spirv;
 mod textures;
 mod worker;
 
-pub use driver::{Driver, drivers};
+pub use any::AnyGpu;
+pub use dawn::DawnGpu;
+pub use driver::{Api, Driver, drivers, gl_drivers};
 pub use error::GpuError;
 pub use worker::{DEFAULT_TIMEOUT, Gpu};
 
@@ -61,6 +67,9 @@ pub enum Shader<'a> {
     Wgsl(&'a str),
     /// SPIR-V words; they reach the driver unchanged.
     Spirv(&'a [u32]),
+    /// GLSL text; it reaches an OpenGL driver unchanged. Its resources are buffers in group 0, and each kind has the
+    /// numbers of the text.
+    Glsl(&'a str),
 }
 
 /// How a shader uses a storage texture.

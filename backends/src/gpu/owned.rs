@@ -7,6 +7,7 @@ use super::{Binding, BindingKind, Job, Shader};
 pub(super) enum OwnedShader {
     Wgsl(String),
     Spirv(Vec<u32>),
+    Glsl(String),
 }
 
 impl OwnedShader {
@@ -14,6 +15,7 @@ impl OwnedShader {
         match shader {
             Shader::Wgsl(text) => Self::Wgsl(text.to_owned()),
             Shader::Spirv(words) => Self::Spirv(words.to_vec()),
+            Shader::Glsl(text) => Self::Glsl(text.to_owned()),
         }
     }
 
@@ -21,6 +23,7 @@ impl OwnedShader {
         match self {
             Self::Wgsl(text) => Shader::Wgsl(text),
             Self::Spirv(words) => Shader::Spirv(words),
+            Self::Glsl(text) => Shader::Glsl(text),
         }
     }
 }

@@ -1,11 +1,14 @@
 //! Shaders made into pipelines, each once.
-#![allow(unsafe_code, reason = "SPIR-V is handed to the driver unchanged, which wgpu cannot vouch for")]
+#![allow(
+    unsafe_code,
+    reason = "SPIR-V and GLSL are handed to the driver unchanged, which wgpu cannot vouch for"
+)]
 
 use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::owned::OwnedShader;
-use super::{BindingKind, Job, Shader, textures};
+use super::{Binding, BindingKind, Job, Shader, textures};
 
 /// Past this many pipelines all are dropped: a run over thousands of shaders must not keep them all.
 const CAPACITY: usize = 64;
@@ -79,12 +82,8 @@ fn module(device: &wgpu::Device, job: &Job) -> wgpu::ShaderModule {
             source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(text)),
         }),
         Shader::Spirv(words) => {
-            let entry = wgpu::PassthroughShaderEntryPoint {
-                name: Cow::Borrowed(job.entry),
-                workgroup_size: (job.workgroup_size[0], job.workgroup_size[1], job.workgroup_size[2]),
-            };
             let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
-                entry_points: Cow::Owned(vec![entry]),
+                entry_points: Cow::Owned(vec![entry(job)]),
                 spirv: Some(Cow::Borrowed(words)),
                 ..Default::default()
             };
@@ -92,7 +91,22 @@ fn module(device: &wgpu::Device, job: &Job) -> wgpu::ShaderModule {
             // is between the caller and the driver; `Gpu::run` documents it.
             unsafe { device.create_shader_module_passthrough(descriptor) }
         }
+        Shader::Glsl(text) => {
+            let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
+                entry_points: Cow::Owned(vec![entry(job)]),
+                glsl: Some(Cow::Borrowed(text)),
+                ..Default::default()
+            };
+            // SAFETY: the driver's own compiler reads the text, and refuses what is no shader. What the shader does
+            // is between the caller and the driver; `Gpu::run` documents it.
+            unsafe { device.create_shader_module_passthrough(descriptor) }
+        }
     }
+}
+
+fn entry<'a>(job: &Job<'a>) -> wgpu::PassthroughShaderEntryPoint<'a> {
+    let [x, y, z] = job.workgroup_size;
+    wgpu::PassthroughShaderEntryPoint { name: Cow::Borrowed(job.entry), workgroup_size: (x, y, z) }
 }
 
 fn group_layouts(device: &wgpu::Device, job: &Job) -> Vec<Option<wgpu::BindGroupLayout>> {
@@ -103,13 +117,37 @@ fn group_layouts(device: &wgpu::Device, job: &Job) -> Vec<Option<wgpu::BindGroup
 fn group_layout(device: &wgpu::Device, job: &Job, group: u32) -> Option<wgpu::BindGroupLayout> {
     let features = device.features();
     let of_group = job.bindings.iter().filter(|b| b.group == group);
-    let bound = of_group.map(|b| layout_entry(b.binding, binding_type(b.kind, features)));
+    let bound = of_group.map(|b| layout_entry(place(job.shader, b), binding_type(b.kind, features)));
     let fillers = fillers(job, group)
         .into_iter()
-        .map(|b| layout_entry(b, binding_type(BindingKind::StorageRead, features)));
+        .map(|filler| layout_entry(filler.place, binding_type(filler.kind, features)));
     let entries: Vec<_> = bound.chain(fillers).collect();
     let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries };
     (!entries.is_empty()).then(|| device.create_bind_group_layout(&descriptor))
+}
+
+/// Where the uniform buffers of GLSL begin in a layout.
+const UNIFORMS: u32 = 256;
+
+/// The number in a layout of what `shader` binds.
+///
+/// OpenGL numbers uniform and storage buffers apart from each other, and wgpu counts each kind from 0 in the order of
+/// the layout. It does not read GLSL that is passed through, so a layout need not have the numbers of the text: the two
+/// kinds each have a range, in which the fillers see to it that wgpu counts as the text does.
+pub(super) fn place(shader: Shader, binding: &Binding) -> u32 {
+    match (shader, binding.kind) {
+        (Shader::Glsl(_), BindingKind::Uniform) => UNIFORMS + binding.binding,
+        (Shader::Glsl(_) | Shader::Wgsl(_) | Shader::Spirv(_), _) => binding.binding,
+    }
+}
+
+/// Something bound where a job has nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Filler {
+    /// Its number in the layout.
+    pub(super) place: u32,
+    /// A uniform or storage buffer.
+    pub(super) kind: BindingKind,
 }
 
 /// The binding numbers that `job` skips in `group` and that need something bound all the same.
@@ -117,13 +155,25 @@ fn group_layout(device: &wgpu::Device, job: &Job, group: u32) -> Option<wgpu::Bi
 /// wgpu numbers the bindings of a group anew, without gaps, and rewrites WGSL to match. SPIR-V that is passed through
 /// keeps its numbers, so there wgpu must find no gap to close: a skipped number would make every later buffer arrive
 /// in its neighbour's place, without any error.
-pub(super) fn fillers(job: &Job, group: u32) -> Vec<u32> {
-    if matches!(job.shader, Shader::Wgsl(_)) {
-        return Vec::new();
+pub(super) fn fillers(job: &Job, group: u32) -> Vec<Filler> {
+    let of_group = job.bindings.iter().filter(|b| b.group == group);
+    let taken: Vec<u32> = of_group.map(|b| place(job.shader, b)).collect();
+    let storage = BindingKind::StorageRead;
+    match job.shader {
+        Shader::Wgsl(_) => Vec::new(),
+        Shader::Spirv(_) => gaps(&taken, 0..u32::MAX, storage),
+        Shader::Glsl(_) => {
+            let uniforms = gaps(&taken, UNIFORMS..u32::MAX, BindingKind::Uniform);
+            gaps(&taken, 0..UNIFORMS, storage).into_iter().chain(uniforms).collect()
+        }
     }
-    let taken: Vec<u32> = job.bindings.iter().filter(|b| b.group == group).map(|b| b.binding).collect();
-    let end = taken.iter().max().copied().unwrap_or(0);
-    (0..end).filter(|number| !taken.contains(number)).collect()
+}
+
+/// The numbers of `range` that are not taken, up to the last that is.
+fn gaps(taken: &[u32], range: std::ops::Range<u32>, kind: BindingKind) -> Vec<Filler> {
+    let end = taken.iter().filter(|n| range.contains(n)).max().copied().unwrap_or(range.start);
+    let free = (range.start..end).filter(|number| !taken.contains(number));
+    free.map(|place| Filler { place, kind }).collect()
 }
 
 fn layout_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
@@ -146,7 +196,6 @@ fn binding_type(kind: BindingKind, features: wgpu::Features) -> wgpu::BindingTyp
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::Binding;
 
     #[test]
     fn only_passed_through_shaders_have_their_gaps_filled() {
@@ -155,8 +204,28 @@ mod tests {
         let (workgroup_size, groups) = ([1; 3], [1; 3]);
         let job =
             |shader| Job { shader, entry: "", workgroup_size, groups, bindings: &bindings, immediates: &[] };
-        assert_eq!(fillers(&job(Shader::Spirv(&[])), 0), [0, 2, 3]);
-        assert!(fillers(&job(Shader::Spirv(&[])), 1).is_empty());
-        assert!(fillers(&job(Shader::Wgsl("")), 0).is_empty());
+        let places = |shader, group| fillers(&job(shader), group).iter().map(|f| f.place).collect::<Vec<_>>();
+        assert_eq!(places(Shader::Spirv(&[]), 0), [0, 2, 3]);
+        assert!(places(Shader::Spirv(&[]), 1).is_empty());
+        assert!(places(Shader::Wgsl(""), 0).is_empty());
+    }
+
+    #[test]
+    fn glsl_has_the_gaps_of_each_kind_filled() {
+        let at = |binding, kind| Binding { group: 0, binding, kind, data: &[] };
+        let bindings = [at(1, BindingKind::StorageRead), at(2, BindingKind::Uniform)];
+        let (workgroup_size, groups) = ([1; 3], [1; 3]);
+        let shader = Shader::Glsl("");
+        let job = Job { shader, entry: "", workgroup_size, groups, bindings: &bindings, immediates: &[] };
+        let filler = |place, kind| Filler { place, kind };
+        assert_eq!(
+            fillers(&job, 0),
+            [
+                filler(0, BindingKind::StorageRead),
+                filler(UNIFORMS, BindingKind::Uniform),
+                filler(UNIFORMS + 1, BindingKind::Uniform),
+            ]
+        );
+        assert_eq!(bindings.map(|b| place(shader, &b)), [1, UNIFORMS + 2]);
     }
 }

@@ -3,11 +3,13 @@
 //! - [`dxc`]: Microsoft's HLSL compiler, loaded into this process.
 //! - [`slang`]: Khronos' compiler of HLSL and a language of its own, loaded into this process.
 //! - [`glslang`]: Khronos' GLSL compiler, run as a child process.
+//! - [`dawn`]: Google's WebGPU, whose WGSL compiler is Tint, in a process that stays.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
 //!
 //! A tool that is not there gives [`TranslateError::NotFound`], which says how to get it.
 
 mod com;
+pub mod dawn;
 pub mod dxc;
 mod dxc_com;
 pub(crate) mod elf;
@@ -20,6 +22,8 @@ pub mod spirv_val;
 mod tools;
 mod translators;
 
+pub use dawn::Dawn;
+pub use dawn::tint::Tint;
 pub use dxc::{Dxc, DxcOutput};
 pub use error::TranslateError;
 pub use glslang::Glslang;

@@ -48,7 +48,7 @@ impl Translators {
     /// When the road has no translator, or its own is missing or refuses the text.
     pub fn spirv(&self, road: Road, text: &str, entry: &str) -> Result<Vec<u32>, TranslateError> {
         match road {
-            Road::Spirv | Road::WgslNaga => Err(TranslateError::BadInput {
+            Road::Spirv | Road::WgslNaga | Road::WgslTint | Road::Glsl => Err(TranslateError::BadInput {
                 tool: "the road",
                 reason: format!("{} has no translator", road.name()),
             }),
@@ -65,7 +65,7 @@ impl Translators {
     #[must_use]
     pub fn missing(&self, road: Road) -> Option<(String, &'static str)> {
         let (error, mend) = match road {
-            Road::Spirv | Road::WgslNaga => return None,
+            Road::Spirv | Road::WgslNaga | Road::WgslTint | Road::Glsl => return None,
             Road::HlslDxc => (self.dxc().err()?, dxc::MEND),
             Road::HlslSlang => (self.slang().err()?, slang::MEND),
             Road::GlslGlslang => (self.glslang().err()?, glslang::MEND),

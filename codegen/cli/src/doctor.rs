@@ -42,6 +42,12 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         let version = glslang.version().map_err(|e| e.to_string())?;
         Ok(format!("{version}, {}", glslang.path().display()))
     });
+    let dawn = machine.dawn();
+    let package = dawn.map(|dawn| format!("{}, {}", dawn.version(), dawn.package().display()));
+    let node = dawn.map_err(ToString::to_string).and_then(|dawn| {
+        let version = dawn.node_version().map_err(|e| e.to_string())?;
+        Ok(format!("{version}, {}", dawn.node().display()))
+    });
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
         Tool { name: "dxc", found: dxc.map_err(ToString::to_string) },
@@ -51,6 +57,8 @@ fn tools(machine: &Machine) -> Vec<Tool> {
             name: "spirv-val",
             found: spirv_val::find().map(|p| p.display().to_string()).map_err(|e| e.to_string()),
         },
+        Tool { name: "dawn", found: package.map_err(ToString::to_string) },
+        Tool { name: "node", found: node },
         Tool {
             name: "tools folder",
             found: folder.ok_or_else(|| "there is none; run tests/setup.sh".to_owned()),
@@ -67,10 +75,10 @@ fn human(machine: &Machine, tools: &[Tool]) -> String {
         };
     }
     out += "drivers\n";
-    for driver in machine.drivers() {
+    for driver in machine.drivers().iter().chain(machine.gl_drivers()) {
         let _ = writeln!(out, "  {:<12} {} ({})", driver.name, driver.adapter_name, driver.driver_info);
     }
-    if machine.drivers().is_empty() {
+    if machine.drivers().is_empty() && machine.gl_drivers().is_empty() {
         out += "  none; `native` and `interp` need none\n";
     }
     out += "tools\n";
@@ -98,7 +106,7 @@ fn as_json(machine: &Machine, tools: &[Tool]) -> Value {
     json!({
         "schema": 1,
         "routes": machine.routes().into_iter().map(route).collect::<Vec<_>>(),
-        "drivers": machine.drivers().iter().map(driver).collect::<Vec<_>>(),
+        "drivers": machine.drivers().iter().chain(machine.gl_drivers()).map(driver).collect::<Vec<_>>(),
         "tools": tools.iter().map(tool).collect::<Vec<_>>(),
     })
 }

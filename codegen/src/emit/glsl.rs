@@ -5,6 +5,8 @@
 //! refused ([`super::slots`]).
 //! A library has no `#version` and no precisions: those are said by the file that includes it.
 
+mod remainder;
+
 use super::slots::{Kind, Slot, slots};
 use super::{EmitError, Options, Target, guarded, mark, scan, tidy};
 use crate::{ValidModule, validate};
@@ -61,11 +63,16 @@ pub(super) fn translate(
         entry_point: entry.to_owned(),
         multiview: None,
     };
+    let mut module = module.clone();
+    let remainders = remainder::replace(&mut module, info).map_err(|message| EmitError::Writer {
+        target,
+        message: format!("it cannot tell {message} apart"),
+    })?;
     guarded(target, || {
         let mut raw = String::new();
-        let mut writer = glsl::Writer::new(&mut raw, module, info, &settings, &pipeline, policies)?;
+        let mut writer = glsl::Writer::new(&mut raw, &module, info, &settings, &pipeline, policies)?;
         writer.write()?;
-        Ok::<_, glsl::Error>(without(&raw, &CORE))
+        Ok::<_, glsl::Error>(remainder::define(&without(&raw, &CORE), &remainders))
     })
 }
 

@@ -105,7 +105,7 @@ fn drivers(figures: &[(Route, Figure)], machine: &Machine) -> Vec<(String, Strin
 
 /// Whether documentation shows the figures of `route`.
 ///
-/// The roads of slang and glslang are left out: all roads to a driver give the same bits, which a check asks of them,
+/// The roads of slang, glslang, Tint and OpenGL are left out: all roads to a driver give the same bits, which a check asks of them,
 /// and a figure that hangs on fewer compilers is out of date less often.
 #[must_use]
 pub fn is_documented(route: &Route) -> bool {
@@ -113,7 +113,7 @@ pub fn is_documented(route: &Route) -> bool {
         Route::Native | Route::Interp => true,
         Route::Gpu { road, .. } => match road {
             Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
-            Road::HlslSlang | Road::GlslGlslang => false,
+            Road::HlslSlang | Road::GlslGlslang | Road::WgslTint | Road::Glsl => false,
         },
     }
 }

@@ -27,7 +27,10 @@ const ROADS: [(&str, Road); Road::ALL.len()] = [
     ("wgsl_naga_", Road::WgslNaga),
     ("hlsl_dxc_", Road::HlslDxc),
     ("hlsl_slang_", Road::HlslSlang),
+    ("wgsl_tint_", Road::WgslTint),
+    // Before the road whose name it begins with.
     ("glsl_glslang_", Road::GlslGlslang),
+    ("glsl_", Road::Glsl),
 ];
 
 impl Asked {
@@ -75,9 +78,9 @@ pub(super) fn route(test: &str) -> Result<Route, String> {
             Ok(Route::Gpu { road, driver: driver.replace('_', "-") })
         }
         _ => Err(format!(
-            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, hlsl_dxc_, hlsl_slang_ or \
-             glsl_glslang_ and a driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware (`lobe doctor` \
-             lists those of this machine)"
+            "`{test}` names no route; write native, interp, or spirv_, wgsl_naga_, wgsl_tint_, hlsl_dxc_, hlsl_slang_, \
+             glsl_glslang_ or glsl_ and a driver, as spirv_lavapipe or spirv_gpu, the first driver of hardware \
+             (`lobe doctor` lists those of this machine)"
         )),
     }
 }
@@ -116,11 +119,11 @@ fn open(route: Route, machine: &Machine) -> Result<Box<dyn Executor>, OpenError>
     if driver != HARDWARE {
         return machine.open(&Route::Gpu { road, driver });
     }
-    match machine.drivers().iter().find(|driver| !driver.is_software) {
+    match machine.drivers_of(road.api()).iter().find(|driver| !driver.is_software) {
         Some(found) => machine.open(&Route::Gpu { road, driver: found.name.clone() }),
         None => Err(OpenError::Missing {
             route: Route::Gpu { road, driver },
-            what: "no Vulkan driver of hardware was found".to_owned(),
+            what: format!("no {} driver of hardware was found", road.api()),
             mend: "install your graphics card's, or leave its tests out with `routes = [..]`".to_owned(),
         }),
     }
@@ -140,6 +143,8 @@ mod tests {
             ("hlsl_dxc_nvidia_h100", "hlsl+dxc@nvidia-h100"),
             ("hlsl_slang_lavapipe", "hlsl+slang@lavapipe"),
             ("glsl_glslang_lavapipe", "glsl+glslang@lavapipe"),
+            ("wgsl_tint_lavapipe", "wgsl+tint@lavapipe"),
+            ("glsl_llvmpipe", "glsl@llvmpipe"),
         ] {
             assert_eq!(route(test).map(|route| route.to_string()), Ok(name.to_owned()));
         }

@@ -78,7 +78,8 @@ impl std::fmt::Debug for Failure {
 /// ```
 ///
 /// The tests are `correct`, `robust` and `sanitized`, which need no driver, one for each route (`native`, `interp`,
-/// `spirv_lavapipe`, `wgsl_naga_lavapipe`, `hlsl_dxc_lavapipe`, and three for SwiftShader), and `agree`.
+/// `spirv_lavapipe`, `wgsl_naga_lavapipe`, `hlsl_dxc_lavapipe`, `wgsl_tint_lavapipe`, four for
+/// SwiftShader, and `glsl_llvmpipe`), and `agree`.
 /// One whose driver is missing says so and passes; with `LOBE_REQUIRE_TOOLS=1` it fails.
 ///
 /// Kernels are named as they are in scope, several with commas between; then options may follow, as in
@@ -104,8 +105,9 @@ macro_rules! check {
     (@usual $kernels:tt $($options:tt)*) => {
         $crate::check! { @options $kernels [
             native interp
-            spirv_lavapipe wgsl_naga_lavapipe hlsl_dxc_lavapipe
-            spirv_swiftshader wgsl_naga_swiftshader hlsl_dxc_swiftshader
+            spirv_lavapipe wgsl_naga_lavapipe hlsl_dxc_lavapipe wgsl_tint_lavapipe
+            spirv_swiftshader wgsl_naga_swiftshader hlsl_dxc_swiftshader wgsl_tint_swiftshader
+            glsl_llvmpipe
         ] [] $($options)* }
     };
     (@options $kernels:tt $routes:tt $options:tt routes = [$($route:ident),+ $(,)?] $(, $($rest:tt)*)?) => {

@@ -159,12 +159,12 @@ impl<'t, 's> Trial<'t, 's> {
     fn wanted(&self, subject: &Subject<'_>) -> Res<Vec<ShaderRoute>> {
         let job = self.steps.job;
         if job.routes.is_empty() {
-            return Ok(self.routes.ready(subject.source.language));
+            return Ok(self.routes.ready(subject));
         }
         let mut wanted = Vec::new();
         for name in job.routes.iter().filter(|r| *r != "interp") {
             if name == READY {
-                wanted.extend(self.routes.ready(subject.source.language));
+                wanted.extend(self.routes.ready(subject));
             } else {
                 wanted.push(name.parse().or_else(|e: String| stop(Status::Error, e))?);
             }

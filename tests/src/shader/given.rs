@@ -38,6 +38,15 @@ impl Given {
         (self.group, self.binding) == IMMEDIATES
     }
 
+    /// Whether it is a buffer.
+    #[must_use]
+    pub fn is_buffer(&self) -> bool {
+        match self.kind {
+            BindingKind::Uniform | BindingKind::StorageRead | BindingKind::StorageReadWrite => true,
+            BindingKind::Texture(_) | BindingKind::StorageTexture(..) | BindingKind::Sampler(_) => false,
+        }
+    }
+
     /// The format of its texels, if it is a texture.
     #[must_use]
     pub fn format(&self) -> Option<Format> {

@@ -1,9 +1,9 @@
 //! The routes of a shader beside the interpreter: what each is given, and what it leaves.
 
 use super::given::{Given, Owned};
-use super::machine::MachineError;
+use super::machine::{MachineError, uses_subgroups};
 use super::report::RouteStatus;
-use lobe_backends::gpu::{Binding, BindingKind, Gpu, GpuError, Job, Shader};
+use lobe_backends::gpu::{AnyGpu, Binding, BindingKind, GpuError, Job, Shader};
 use lobe_backends::interp::InterpError;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, State};
@@ -113,6 +113,30 @@ pub struct Subject<'s> {
     pub interp: super::machine::Machine<'s>,
 }
 
+impl Subject<'_> {
+    /// Whether `road` has all kinds of resources that the shader uses.
+    fn may_take(&self, road: Road) -> bool {
+        match road {
+            Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
+            // They have faults of their own with shaders of others: only where they are asked for.
+            Road::HlslSlang | Road::GlslGlslang => false,
+            Road::WgslTint => self.given.iter().all(|given| !given.is_immediate() && given.is_buffer()),
+            Road::Glsl => false,
+        }
+    }
+
+    fn is_own_wgsl(&self) -> bool {
+        self.is_as_written && self.source.language == Language::Wgsl
+    }
+
+    /// WGSL with the directive that WebGPU asks for before subgroups, which naga neither writes nor asks for. It is
+    /// on the first line, so that the others keep their numbers.
+    fn for_tint(&self, wgsl: &str, entry: &str) -> Plain {
+        let directive = if uses_subgroups(self.module) { "enable subgroups; " } else { "" };
+        Plain { content: Content::Text(format!("{directive}{wgsl}")), entry: entry.to_owned() }
+    }
+}
+
 /// Why a route has no results.
 #[derive(Debug)]
 pub struct Failure {
@@ -126,8 +150,40 @@ pub struct Failure {
 #[derive(Debug)]
 pub struct Routes {
     machine: Machine,
-    opened: HashMap<String, Gpu>,
+    opened: HashMap<(String, Way), AnyGpu>,
     subgroups: HashMap<String, Option<u32>>,
+}
+
+/// How a driver is reached.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Way {
+    Wgpu,
+    Dawn,
+}
+
+impl Way {
+    fn of(road: Option<Road>) -> Self {
+        match road {
+            Some(Road::WgslTint) => Self::Dawn,
+            None
+            | Some(
+                Road::Spirv
+                | Road::WgslNaga
+                | Road::HlslDxc
+                | Road::HlslSlang
+                | Road::GlslGlslang
+                | Road::Glsl,
+            ) => Self::Wgpu,
+        }
+    }
+
+    /// A road that goes this way.
+    fn road(self) -> Road {
+        match self {
+            Self::Wgpu => Road::Spirv,
+            Self::Dawn => Road::WgslTint,
+        }
+    }
 }
 
 /// Tells the size of a subgroup.
@@ -142,19 +198,19 @@ impl Routes {
         Self { machine: Machine::look(), opened: HashMap::new(), subgroups: HashMap::new() }
     }
 
-    /// The routes to drivers that a shader in `language` takes here unless others are named.
+    /// The routes to drivers that `subject` can take here.
     #[must_use]
-    pub fn ready(&self, language: Language) -> Vec<ShaderRoute> {
+    pub fn ready(&self, subject: &Subject<'_>) -> Vec<ShaderRoute> {
         let original = self.machine.drivers().iter().filter(|d| d.has_passthrough);
         let original = original.map(|d| ShaderRoute::Gpu { road: None, driver: d.name.clone() });
         let ready = self.machine.routes().into_iter().filter(|(_, state)| *state == State::Ready);
         let roads = ready.filter_map(|(route, _)| match route {
-            Route::Gpu { road, driver } if is_usual(road) => {
+            Route::Gpu { road, driver } if subject.may_take(road) => {
                 Some(ShaderRoute::Gpu { road: Some(road), driver })
             }
             Route::Gpu { .. } | Route::Native | Route::Interp => None,
         });
-        let is_spirv = language == Language::Spirv;
+        let is_spirv = subject.source.language == Language::Spirv;
         original.filter(|_| is_spirv).chain(roads).collect()
     }
 
@@ -199,7 +255,7 @@ impl Routes {
             Content::Words(words) => Shader::Spirv(words),
         };
         let (bindings, immediates) = route.lend(subject);
-        let gpu = self.open(driver)?;
+        let gpu = self.open(driver, Way::of(road))?;
         gpu.set_timeout(timeout);
         let job = Job {
             shader,
@@ -228,7 +284,7 @@ impl Routes {
         if let Some(known) = self.subgroups.get(driver) {
             return *known;
         }
-        let size = self.open(driver).ok().and_then(|gpu| {
+        let size = self.open(driver, Way::Wgpu).ok().and_then(|gpu| {
             let kind = BindingKind::StorageReadWrite;
             let bindings = [Binding { group: 0, binding: 0, kind, data: &[0; 4] }];
             let shader = Shader::Wgsl(PROBE);
@@ -247,16 +303,17 @@ impl Routes {
         size
     }
 
-    fn open(&mut self, name: &str) -> Result<&mut Gpu, Failure> {
-        if !self.opened.contains_key(name) {
+    fn open(&mut self, name: &str, way: Way) -> Result<&mut AnyGpu, Failure> {
+        let place = (name.to_owned(), way);
+        if !self.opened.contains_key(&place) {
             let driver = self.machine.drivers().iter().find(|d| d.name == name);
             let Some(driver) = driver else {
                 return Err(Failure::refused(format!("there is no driver {name} here")));
             };
-            let gpu = Gpu::open(driver).map_err(|e| Failure::of_gpu(&e))?;
-            self.opened.insert(name.to_owned(), gpu);
+            let gpu = self.machine.device(way.road(), driver).map_err(|e| Failure::of_gpu(&e))?;
+            self.opened.insert(place.clone(), gpu);
         }
-        self.opened.get_mut(name).ok_or_else(|| Failure::refused(format!("{name} was lost")))
+        self.opened.get_mut(&place).ok_or_else(|| Failure::refused(format!("{name} was lost")))
     }
 
     /// What the driver is given.
@@ -278,6 +335,17 @@ impl Routes {
                 check_samplers(subject.module)?;
                 self.translated(road, &write(road.target())?)
             }
+            Some(Road::WgslTint) => match subject.source.text().filter(|_| subject.is_own_wgsl()) {
+                Some(text) => Ok(subject.for_tint(text, subject.entry)),
+                None => {
+                    let written = write(Target::Wgsl)?;
+                    Ok(subject.for_tint(written.content.text().unwrap_or_default(), &written.entry))
+                }
+            },
+            Some(Road::Glsl) => Err(Failure::refused(
+                "glsl is a road of kernels alone: OpenGL has no groups of resources; take another road"
+                    .to_owned(),
+            )),
             None => {
                 let words =
                     spirv_words(&subject.source.bytes).map_err(|e| Failure::refused(e.to_string()))?;
@@ -300,17 +368,6 @@ impl Routes {
         };
         let words = words.map_err(|e| Failure::refused(e.to_string()))?;
         Ok(Plain { content: Content::Words(words), entry: plain.entry.clone() })
-    }
-}
-
-/// Whether shaders take this road unless others are named.
-///
-/// slang and glslang refuse, or read otherwise, much of what naga writes of a foreign module's textures, atomics and
-/// subgroups; that tells of naga's writers and not of the shader.
-fn is_usual(road: Road) -> bool {
-    match road {
-        Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
-        Road::HlslSlang | Road::GlslGlslang => false,
     }
 }
 
@@ -373,6 +430,7 @@ mod tests {
             "original@lavapipe",
             "spirv@lavapipe",
             "wgsl+naga@a-card-2",
+            "wgsl+tint@swiftshader",
             "hlsl+dxc@swiftshader",
             "hlsl+slang@x",
             "glsl+glslang@x",

@@ -162,7 +162,7 @@ impl<'w> Subject<'w> {
         let shader = match road {
             Road::Spirv => Shader::Spirv(&self.spirv),
             Road::WgslNaga => Shader::Wgsl(&self.workload.text),
-            Road::HlslDxc | Road::HlslSlang | Road::GlslGlslang => {
+            Road::HlslDxc | Road::HlslSlang | Road::GlslGlslang | Road::WgslTint | Road::Glsl => {
                 return Err(BenchError::Road(road.name().to_owned()));
             }
         };
