@@ -66,7 +66,7 @@ fn groups_and_gaps_are_kept() {
         @group(2) @binding(5) var<uniform> a: u32;
         @group(0) @binding(3) var<storage, read_write> out: array<u32, 2>;
         @compute @workgroup_size(1) fn main() { out[0] += a; }";
-    let bind = |group, binding, kind, data| Binding { group, binding, kind, data };
+    let bind = |group, binding, kind, data| Binding { group, binding, element: None, kind, data };
     let bindings = [
         bind(2, 5, BindingKind::Uniform, &[5, 0, 0, 0][..]),
         bind(0, 3, BindingKind::StorageReadWrite, &[1, 0, 0, 0, 9, 0, 0, 0][..]),
@@ -102,6 +102,7 @@ fn what_dawn_is_not_handed_is_refused_aloud() {
     let sampler = Binding {
         group: 0,
         binding: 0,
+        element: None,
         kind: BindingKind::Sampler(Sampler { lod: [0.0, 1.0], ..Sampler::default() }),
         data: &[],
     };

@@ -27,7 +27,7 @@ fn driver() -> Option<Driver> {
 }
 
 fn bindings<'a>(x: &'a [u8], y: &'a [u8], rows: &'a [u8]) -> [Binding<'a>; 3] {
-    let bind = |binding, kind, data| Binding { group: 0, binding, kind, data };
+    let bind = |binding, kind, data| Binding { group: 0, binding, element: None, kind, data };
     [
         bind(1, BindingKind::StorageRead, x),
         bind(3, BindingKind::StorageReadWrite, y),

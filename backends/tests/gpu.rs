@@ -86,7 +86,7 @@ fn every_kind_of_binding_arrives() {
     let Some(mut gpu) = open("lavapipe") else { return };
     let [scale, input, sum, scaled] =
         [&[1.0, 2.0, 3.0, 4.0][..], &[1.0, 1.0, 2.0, 2.0], &[100.0], &[0.5, 0.0, 0.0, 0.0]].map(bytes);
-    let at = |group, binding, kind, data| Binding { group, binding, kind, data };
+    let at = |group, binding, kind, data| Binding { group, binding, element: None, kind, data };
     let bindings = [
         at(0, 3, BindingKind::Uniform, scale.as_slice()),
         at(2, 0, BindingKind::StorageRead, &input),
@@ -113,7 +113,8 @@ fn every_kind_of_binding_arrives() {
 fn spirv_that_uses_what_is_not_bound_never_reaches_the_driver() {
     let Some(mut gpu) = open("lavapipe") else { return };
     let (words, data) = (spirv(WGSL), bytes(&[1.0]));
-    let input = [Binding { group: 0, binding: 0, kind: BindingKind::StorageRead, data: &data }];
+    let input =
+        [Binding { group: 0, binding: 0, element: None, kind: BindingKind::StorageRead, data: &data }];
     let error = gpu.run(&job(Shader::Spirv(&words), &input)).expect_err("should be refused");
     assert!(error.to_string().contains("uses group 0, binding 1"), "{error}");
 }
@@ -194,12 +195,18 @@ fn limits_are_told() {
     let job = Job { groups: [u32::MAX, 1, 1], ..job(Shader::Wgsl(WGSL), &[]) };
     assert!(matches!(gpu.run(&job), Err(GpuError::TooManyGroups { limit: 65_535, .. })));
 
-    let bindings = [Binding { group: 0, binding: 0, kind: BindingKind::Uniform, data: &vec![0; 1 << 20] }];
+    let bindings = [Binding {
+        group: 0,
+        binding: 0,
+        element: None,
+        kind: BindingKind::Uniform,
+        data: &vec![0; 1 << 20],
+    }];
     let error = gpu.run(&Job { groups: [1; 3], bindings: &bindings, ..job }).expect_err("should be refused");
     assert!(matches!(error, GpuError::BufferTooLarge { bytes: 0x10_0000, .. }), "{error:?}");
 
     // Large enough for the driver, too small for the shader.
-    let bindings = [Binding { group: 0, binding: 0, kind: BindingKind::Uniform, data: &data }];
+    let bindings = [Binding { group: 0, binding: 0, element: None, kind: BindingKind::Uniform, data: &data }];
     let wgsl =
         "@group(0) @binding(0) var<uniform> x: vec4f; @compute @workgroup_size(64) fn main() { _ = x; }";
     let small = Job { shader: Shader::Wgsl(wgsl), groups: [1; 3], bindings: &bindings, ..job };

@@ -3,6 +3,8 @@
 #[path = "interp/support.rs"]
 mod support;
 
+#[path = "interp/bindings.rs"]
+mod bindings;
 #[path = "interp/chance.rs"]
 mod chance;
 #[path = "interp/conformance.rs"]

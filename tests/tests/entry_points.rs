@@ -163,7 +163,7 @@ fn run(gpu: &mut Gpu, entry: &str, shader: Shader<'_>, bound: &[Bound]) -> Vec<V
     let data: Vec<Vec<u8>> = bound.iter().map(|b| bytes(&b.1)).collect();
     let bindings: Vec<Binding<'_>> = (0_u32..)
         .zip(bound.iter().zip(&data))
-        .map(|(binding, (b, data))| Binding { group: 0, binding, kind: b.0, data })
+        .map(|(binding, (b, data))| Binding { group: 0, binding, element: None, kind: b.0, data })
         .collect();
     let job = Job {
         shader,

@@ -179,7 +179,7 @@ impl Words {
 }
 
 fn bind(group: u32, binding: u32, kind: BindingKind, data: &[u8]) -> Binding<'_> {
-    Binding { group, binding, kind, data }
+    Binding { group, binding, element: None, kind, data }
 }
 
 /// A buffer for each parameter; the columns of `args` follow the parameters.

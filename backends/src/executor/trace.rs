@@ -89,7 +89,13 @@ pub(super) fn dispatch(
     };
     let bindings: Vec<Binding<'_>> = buffers
         .iter()
-        .map(|b| Binding { group: b.group, binding: b.binding, kind: kind(b.binding), data: &b.data })
+        .map(|b| Binding {
+            group: b.group,
+            binding: b.binding,
+            element: None,
+            kind: kind(b.binding),
+            data: &b.data,
+        })
         .collect();
     let outputs = gpu.run(&Job {
         shader,

@@ -1,7 +1,7 @@
 //! What one job binds, its buffers taken over from the job before where they fit.
 
 use super::textures::{self, Bound as BoundTexture};
-use super::{Binding, BindingKind};
+use super::{Binding, BindingKind, Job};
 
 /// Buffers of the last job, for the next one to reuse.
 ///
@@ -37,6 +37,23 @@ impl Bound {
             Self::Buffer(_, readback) => readback.as_ref(),
             Self::Texture(texture, _) => texture.readback(),
             Self::Sampler(_) => None,
+        }
+    }
+}
+
+/// What is bound to the place of a binding array, in the form that wgpu takes.
+pub(super) enum Array<'b> {
+    Buffers(Vec<wgpu::BufferBinding<'b>>),
+    Textures(Vec<&'b wgpu::TextureView>),
+    Samplers(Vec<&'b wgpu::Sampler>),
+}
+
+impl Array<'_> {
+    pub(super) fn lend(&self) -> wgpu::BindingResource<'_> {
+        match self {
+            Self::Buffers(buffers) => wgpu::BindingResource::BufferArray(buffers),
+            Self::Textures(views) => wgpu::BindingResource::TextureViewArray(views),
+            Self::Samplers(samplers) => wgpu::BindingResource::SamplerArray(samplers),
         }
     }
 }
@@ -78,6 +95,24 @@ impl Bindings {
             Bound::Buffer(buffer, _) => buffer.as_entire_binding(),
             Bound::Texture(_, view) => wgpu::BindingResource::TextureView(view),
             Bound::Sampler(sampler) => wgpu::BindingResource::Sampler(sampler),
+        }
+    }
+
+    /// The elements of the binding array at a place, which are of one kind (`check`).
+    pub(super) fn array(&self, job: &Job, place: (u32, u32)) -> Array<'_> {
+        let (mut buffers, mut views, mut samplers) = (Vec::new(), Vec::new(), Vec::new());
+        let here = job.bindings.iter().zip(&self.0).filter(|(b, _)| (b.group, b.binding) == place);
+        for (_, bound) in here {
+            match bound {
+                Bound::Buffer(buffer, _) => buffers.push(buffer.as_entire_buffer_binding()),
+                Bound::Texture(_, view) => views.push(view),
+                Bound::Sampler(sampler) => samplers.push(sampler),
+            }
+        }
+        match (views.is_empty(), samplers.is_empty()) {
+            (false, _) => Array::Textures(views),
+            (true, false) => Array::Samplers(samplers),
+            (true, true) => Array::Buffers(buffers),
         }
     }
 

@@ -1,8 +1,8 @@
 //! What can be known to fail before any driver is asked.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::pipelines::fillers;
+use super::pipelines::{binding_type, common_type, fillers};
 use super::{Access, Binding, BindingKind, Driver, GpuError, Job, Shader, spirv};
 use crate::texture::{Dimension, Format, Kind, Sampler, TextureShape};
 
@@ -14,6 +14,7 @@ pub(super) fn check(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<()
     check_glsl(driver, limits, job)?;
     check_count(driver, limits, job)?;
     check_immediates(driver, limits, job.immediates)?;
+    check_elements(job, wgpu::Features::empty())?;
     job.bindings.iter().try_for_each(|binding| check_binding(driver, limits, binding))?;
     match job.shader {
         Shader::Wgsl(_) | Shader::Glsl(_) => Ok(()),
@@ -73,7 +74,8 @@ fn check_groups(driver: &str, limits: &wgpu::Limits, asked: [u32; 3]) -> Result<
 
 fn check_places(limits: &wgpu::Limits, bindings: &[Binding]) -> Result<BTreeSet<(u32, u32)>, GpuError> {
     let mut taken = BTreeSet::new();
-    for &Binding { group, binding, .. } in bindings {
+    let mut elements: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    for &Binding { group, binding, element, .. } in bindings {
         if group >= limits.max_bind_groups || binding >= limits.max_bindings_per_bind_group {
             return bad(format!(
                 "group {group}, binding {binding} is out of reach: groups end at {}, bindings at {}",
@@ -81,11 +83,37 @@ fn check_places(limits: &wgpu::Limits, bindings: &[Binding]) -> Result<BTreeSet<
                 limits.max_bindings_per_bind_group - 1
             ));
         }
-        if !taken.insert((group, binding)) {
+        let next = elements.entry((group, binding)).or_default();
+        match element {
+            Some(element) if element != *next => {
+                return bad(format!(
+                    "group {group}, binding {binding}: element {element} stands where {next} is wanted"
+                ));
+            }
+            Some(_) => *next += 1,
+            None => {}
+        }
+        if !taken.insert((group, binding)) && element.is_none_or(|n| n == 0) {
             return bad(format!("group {group}, binding {binding} is bound twice"));
         }
     }
     Ok(taken)
+}
+
+/// Checks that the elements of each binding array can be told by one entry of a layout.
+fn check_elements(job: &Job, features: wgpu::Features) -> Result<(), GpuError> {
+    let mut types = BTreeMap::new();
+    for b in job.bindings.iter().filter(|b| b.element.is_some()) {
+        let ty = binding_type(b.kind, features);
+        let common = *types.entry((b.group, b.binding)).or_insert(ty);
+        let both = [common_type(common, ty), common_type(ty, common)];
+        if both[0] != both[1] {
+            let Binding { group, binding, .. } = *b;
+            return bad(format!("the elements of group {group}, binding {binding} are of different kinds"));
+        }
+        types.insert((b.group, b.binding), both[0]);
+    }
+    Ok(())
 }
 
 /// Counts the storage buffers, with those that fill the gaps between a SPIR-V shader's.
@@ -101,7 +129,10 @@ fn check_count(driver: &str, limits: &wgpu::Limits, job: &Job) -> Result<(), Gpu
     let groups: BTreeSet<u32> = job.bindings.iter().map(|b| b.group).collect();
     let fillers = groups.into_iter().flat_map(|group| fillers(job, group));
     let fillers = fillers.filter(|filler| filler.kind == BindingKind::StorageRead).count();
-    let storage = |b: &&Binding| matches!(b.kind, BindingKind::StorageRead | BindingKind::StorageReadWrite);
+    // wgpu counts elements of binding arrays by themselves.
+    let storage = |b: &&Binding| {
+        b.element.is_none() && matches!(b.kind, BindingKind::StorageRead | BindingKind::StorageReadWrite)
+    };
     let own = job.bindings.iter().filter(storage).count();
     if own + fillers > limit as usize {
         return bad(format!(
@@ -238,7 +269,7 @@ mod tests {
     }
 
     fn storage(group: u32, binding: u32, data: &[u8]) -> Binding<'_> {
-        Binding { group, binding, kind: BindingKind::StorageRead, data }
+        Binding { group, binding, element: None, kind: BindingKind::StorageRead, data }
     }
 
     #[track_caller]
@@ -287,7 +318,7 @@ mod tests {
     #[test]
     fn textures_and_samplers_that_no_device_binds() {
         let flat = TextureShape::new(Format::Depth32Float, Dimension::D2, [2, 1, 1]);
-        let texture = |kind, data| [Binding { group: 0, binding: 5, kind, data }];
+        let texture = |kind, data| [Binding { group: 0, binding: 5, element: None, kind, data }];
 
         let cases = [
             (BindingKind::Texture(flat), [0; 4].as_slice(), "has 8 bytes, but 4 were given"),
@@ -306,6 +337,29 @@ mod tests {
             let bindings = texture(kind, data);
             refused(&job([1; 3], [1; 3], &bindings), part);
         }
+    }
+
+    #[test]
+    fn elements_of_binding_arrays_are_of_one_kind_and_in_order() {
+        let element = |number, kind| Binding { element: Some(number), kind, ..storage(0, 2, &[0; 4]) };
+        let read = |number| element(number, BindingKind::StorageRead);
+        let limits = wgpu::Limits::default();
+        let many: Vec<_> = (0..20).map(read).collect();
+        assert_eq!(
+            check("d", &limits, &job([1; 3], [1; 3], &many)),
+            Ok(()),
+            "they are no buffers of their own"
+        );
+        refused(&job([1; 3], [1; 3], &[read(0), read(2)]), "element 2 stands where 1 is wanted");
+        refused(&job([1; 3], [1; 3], &[read(1)]), "element 1 stands where 0 is wanted");
+        refused(&job([1; 3], [1; 3], &[read(0), storage(0, 2, &[0; 4])]), "bound twice");
+        refused(&job([1; 3], [1; 3], &[storage(0, 2, &[0; 4]), read(0)]), "bound twice");
+        let mixed = [read(0), element(1, BindingKind::StorageReadWrite)];
+        refused(&job([1; 3], [1; 3], &mixed), "group 0, binding 2 are of different kinds");
+        let nearest = Binding { data: &[], ..element(0, BindingKind::Sampler(Sampler::default())) };
+        let linear = Sampler { minify: crate::texture::Filter::Linear, ..Sampler::default() };
+        let linear = Binding { kind: BindingKind::Sampler(linear), element: Some(1), ..nearest };
+        assert_eq!(check("d", &limits, &job([1; 3], [1; 3], &[nearest, linear])), Ok(()));
     }
 
     #[test]

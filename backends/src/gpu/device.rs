@@ -25,7 +25,13 @@ pub(super) const WANTED: wgpu::Features = wgpu::Features::PASSTHROUGH_SHADERS
     .union(wgpu::Features::TEXTURE_ATOMIC)
     .union(wgpu::Features::TEXTURE_INT64_ATOMIC)
     .union(wgpu::Features::FLOAT32_FILTERABLE)
-    .union(wgpu::Features::BGRA8UNORM_STORAGE);
+    .union(wgpu::Features::BGRA8UNORM_STORAGE)
+    .union(wgpu::Features::TEXTURE_BINDING_ARRAY)
+    .union(wgpu::Features::BUFFER_BINDING_ARRAY)
+    .union(wgpu::Features::STORAGE_RESOURCE_BINDING_ARRAY)
+    .union(wgpu::Features::SAMPLED_TEXTURE_AND_STORAGE_BUFFER_ARRAY_NON_UNIFORM_INDEXING)
+    .union(wgpu::Features::STORAGE_TEXTURE_ARRAY_NON_UNIFORM_INDEXING)
+    .union(wgpu::Features::UNIFORM_BUFFER_BINDING_ARRAYS);
 
 /// Bytes of what is bound where a job has nothing: a `vec4` for uniform buffers.
 const FILLER: u64 = 16;
@@ -208,10 +214,17 @@ impl Device {
         job: &Job,
     ) -> wgpu::BindGroup {
         let of_group = job.bindings.iter().enumerate().filter(|(_, b)| b.group == group);
-        let bound = of_group.map(|(index, b)| (pipelines::place(job.shader, b), bindings.bound(index)));
+        let alone = of_group.clone().filter(|(_, b)| b.element.is_none());
+        let bound = alone.map(|(index, b)| (pipelines::place(job.shader, b), bindings.bound(index)));
+        let arrays: Vec<_> = of_group
+            .filter(|(_, b)| b.element == Some(0))
+            .map(|(_, b)| (b.binding, bindings.array(job, (group, b.binding))))
+            .collect();
+        let arrays = arrays.iter().map(|(binding, array)| (*binding, array.lend()));
         let fillers = pipelines::fillers(job, group).into_iter();
         let fillers = fillers.map(|filler| (filler.place, self.filler.as_entire_binding()));
         let entries: Vec<_> = bound
+            .chain(arrays)
             .chain(fillers)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();

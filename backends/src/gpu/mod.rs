@@ -13,7 +13,7 @@
 //!     entry: "main",
 //!     workgroup_size: [2, 1, 1],
 //!     groups: [1, 1, 1],
-//!     bindings: &[Binding { group: 0, binding: 0, kind: BindingKind::StorageReadWrite, data: &input }],
+//!     bindings: &[Binding { group: 0, binding: 0, element: None, kind: BindingKind::StorageReadWrite, data: &input }],
 //!     immediates: &[],
 //! })?;
 //! assert_eq!(outputs[0], [2.0f32, 4.0].map(f32::to_le_bytes).concat());
@@ -109,6 +109,8 @@ pub struct Binding<'a> {
     pub group: u32,
     /// `@binding` in both.
     pub binding: u32,
+    /// Which element of a binding array it is; `None` where the variable is none.
+    pub element: Option<u32>,
     /// How the shader uses it.
     pub kind: BindingKind,
     /// Its bytes when the shader starts; the length of a buffer is a multiple of 4 and not 0.

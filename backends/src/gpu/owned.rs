@@ -41,17 +41,19 @@ pub(super) struct OwnedJob {
 struct OwnedBinding {
     group: u32,
     binding: u32,
+    element: Option<u32>,
     kind: BindingKind,
     data: Vec<u8>,
 }
 
 impl OwnedBinding {
-    fn of(&Binding { group, binding, kind, data }: &Binding) -> Self {
-        Self { group, binding, kind, data: data.to_vec() }
+    fn of(&Binding { group, binding, element, kind, data }: &Binding) -> Self {
+        Self { group, binding, element, kind, data: data.to_vec() }
     }
 
     fn lend(&self) -> Binding<'_> {
-        Binding { group: self.group, binding: self.binding, kind: self.kind, data: &self.data }
+        let Self { group, binding, element, kind, ref data } = *self;
+        Binding { group, binding, element, kind, data }
     }
 }
 

@@ -6,6 +6,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 
 use super::owned::OwnedShader;
 use super::{Binding, BindingKind, Job, Shader, textures};
@@ -22,7 +23,7 @@ pub(super) struct Key {
     shader: OwnedShader,
     entry: String,
     workgroup_size: [u32; 3],
-    places: Vec<(u32, u32, wgpu::BindingType)>,
+    places: Vec<(u32, u32, Option<u32>, wgpu::BindingType)>,
     immediate_size: u32,
 }
 
@@ -36,8 +37,9 @@ pub(super) struct Pipeline {
 impl Key {
     pub(super) fn of(job: &Job, features: wgpu::Features) -> Self {
         let shader = OwnedShader::of(job.shader);
+        let places = job.bindings.iter();
         let places =
-            job.bindings.iter().map(|b| (b.group, b.binding, binding_type(b.kind, features))).collect();
+            places.map(|b| (b.group, b.binding, b.element, binding_type(b.kind, features))).collect();
         let (entry, workgroup_size) = (job.entry.to_owned(), job.workgroup_size);
         Self { shader, entry, workgroup_size, places, immediate_size: job.immediates.len() as u32 }
     }
@@ -116,11 +118,17 @@ fn group_layouts(device: &wgpu::Device, job: &Job) -> Vec<Option<wgpu::BindGroup
 
 fn group_layout(device: &wgpu::Device, job: &Job, group: u32) -> Option<wgpu::BindGroupLayout> {
     let features = device.features();
-    let of_group = job.bindings.iter().filter(|b| b.group == group);
-    let bound = of_group.map(|b| layout_entry(place(job.shader, b), binding_type(b.kind, features)));
+    let firsts = job.bindings.iter().filter(|b| b.group == group && b.element.is_none_or(|n| n == 0));
+    let bound = firsts.map(|first| {
+        let elements = job.bindings.iter().filter(|b| (b.group, b.binding) == (group, first.binding));
+        let count = first.element.and_then(|_| NonZeroU32::new(elements.clone().count() as u32));
+        let types = elements.map(|b| binding_type(b.kind, features));
+        let ty = types.reduce(common_type).unwrap_or_else(|| binding_type(first.kind, features));
+        layout_entry(place(job.shader, first), ty, count)
+    });
     let fillers = fillers(job, group)
         .into_iter()
-        .map(|filler| layout_entry(filler.place, binding_type(filler.kind, features)));
+        .map(|filler| layout_entry(filler.place, binding_type(filler.kind, features), None));
     let entries: Vec<_> = bound.chain(fillers).collect();
     let descriptor = wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries };
     (!entries.is_empty()).then(|| device.create_bind_group_layout(&descriptor))
@@ -176,12 +184,30 @@ fn gaps(taken: &[u32], range: std::ops::Range<u32>, kind: BindingKind) -> Vec<Fi
     free.map(|place| Filler { place, kind }).collect()
 }
 
-fn layout_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
+fn layout_entry(
+    binding: u32,
+    ty: wgpu::BindingType,
+    count: Option<NonZeroU32>,
+) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count }
+}
+
+/// The type that elements of two types have in common; the first where they have none.
+pub(super) fn common_type(a: wgpu::BindingType, b: wgpu::BindingType) -> wgpu::BindingType {
+    use wgpu::SamplerBindingType::{Filtering, NonFiltering};
+    use wgpu::{BindingType, TextureSampleType::Float};
+    match (a, b) {
+        (BindingType::Sampler(NonFiltering), BindingType::Sampler(Filtering)) => b,
+        (
+            BindingType::Texture { sample_type: Float { filterable: true }, .. },
+            BindingType::Texture { sample_type: Float { filterable: false }, .. },
+        ) => b,
+        _ => a,
+    }
 }
 
 /// What a pipeline has to know of a binding, and no more.
-fn binding_type(kind: BindingKind, features: wgpu::Features) -> wgpu::BindingType {
+pub(super) fn binding_type(kind: BindingKind, features: wgpu::Features) -> wgpu::BindingType {
     let ty = match kind {
         BindingKind::Uniform => wgpu::BufferBindingType::Uniform,
         BindingKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
@@ -199,7 +225,13 @@ mod tests {
 
     #[test]
     fn only_passed_through_shaders_have_their_gaps_filled() {
-        let at = |group, binding| Binding { group, binding, kind: BindingKind::StorageRead, data: &[] };
+        let at = |group, binding| Binding {
+            group,
+            binding,
+            element: None,
+            kind: BindingKind::StorageRead,
+            data: &[],
+        };
         let bindings = [at(0, 4), at(0, 1), at(1, 0)];
         let (workgroup_size, groups) = ([1; 3], [1; 3]);
         let job =
@@ -212,7 +244,7 @@ mod tests {
 
     #[test]
     fn glsl_has_the_gaps_of_each_kind_filled() {
-        let at = |binding, kind| Binding { group: 0, binding, kind, data: &[] };
+        let at = |binding, kind| Binding { group: 0, binding, element: None, kind, data: &[] };
         let bindings = [at(1, BindingKind::StorageRead), at(2, BindingKind::Uniform)];
         let (workgroup_size, groups) = ([1; 3], [1; 3]);
         let shader = Shader::Glsl("");

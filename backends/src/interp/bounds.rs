@@ -51,6 +51,8 @@ pub struct ShadowTexture {
     pub group: u32,
     /// Binding within the group.
     pub binding: u32,
+    /// Which element, of a binding array; else 0.
+    pub element: u32,
     /// Texels that were written, in order.
     pub texels: Vec<ShadowTexel>,
     /// Whether it is known which ones these are.
@@ -74,6 +76,8 @@ pub struct ShadowBuffer {
     pub group: u32,
     /// Binding within the group.
     pub binding: u32,
+    /// Which element, of a binding array; else 0.
+    pub element: u32,
     /// One for each 32-bit word.
     pub words: Vec<ShadowWord>,
     /// Floats of 16 and 64 bits that were written there, in order.

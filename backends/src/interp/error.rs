@@ -47,6 +47,29 @@ pub enum InterpError {
         /// Its binding within the group.
         binding: u32,
     },
+    /// A binding array was given too few elements.
+    #[error(
+        "`{name}` (group {group}, binding {binding}) is a binding array of {expected} elements or more, but {found} \
+         were given"
+    )]
+    MissingElements {
+        /// Name of the variable.
+        name: String,
+        /// Its group.
+        group: u32,
+        /// Its binding within the group.
+        binding: u32,
+        /// How many it needs.
+        expected: usize,
+        /// How many were given.
+        found: usize,
+    },
+    /// The buffers of a binding array are too large to be addressed.
+    #[error("the buffers of the binding array `{name}` have 4 GiB or more together")]
+    ElementsTooLarge {
+        /// Name of the variable.
+        name: String,
+    },
     /// A buffer is shorter than its type.
     #[error("the buffer of `{name}` has {found} bytes, its type needs {expected}")]
     BufferTooSmall {

@@ -1,8 +1,10 @@
 //! What a dispatch is given for its variables.
 
+pub(super) mod elements;
+
 use super::Buffer;
 use super::error::{InterpError, Res};
-use super::program::{self, Program};
+use super::program::{self, Content, Program};
 use crate::texture::{Format, Kind, Sampler, Texture, TextureShape};
 use naga::{ImageClass, ScalarKind};
 
@@ -29,6 +31,8 @@ pub struct BoundSampler {
 }
 
 /// All that a dispatch may use; more than it uses does no harm. Buffers alone turn into it.
+///
+/// What is given for one place several times are the elements of a binding array, in order.
 #[derive(Debug, Default)]
 pub struct Resources<'a> {
     /// Storage buffers, updated in place, and uniform ones.
@@ -59,58 +63,101 @@ impl<'a> From<&'a mut Vec<Buffer>> for Resources<'a> {
 
 /// What a program's variables are of the resources.
 pub(super) struct Found {
-    /// By index; none of workgroup memory.
-    pub(super) buffers: Vec<Option<usize>>,
     /// By index.
-    pub(super) images: Vec<usize>,
+    pub(super) buffers: Vec<FoundBuffer>,
+    /// By index; then the elements of binding arrays, which directories name by their place in this list.
+    pub(super) images: Vec<FoundImage>,
+    /// Likewise.
     pub(super) samplers: Vec<Sampler>,
+}
+
+/// What one of a program's buffers is of the resources.
+pub(super) enum FoundBuffer {
+    /// Memory of the workgroup.
+    Own,
+    /// A buffer.
+    One(usize),
+    /// Several, one behind the other.
+    Elements(elements::Elements),
+    /// A directory.
+    Directory(Vec<u32>),
+}
+
+/// A texture among the resources.
+#[derive(Clone, Copy)]
+pub(super) struct FoundImage {
+    /// Which.
+    pub(super) at: usize,
+    /// The variable that it is bound to; none of a binding array as a whole.
+    pub(super) variable: Option<usize>,
+    /// Its number in a binding array.
+    pub(super) element: u32,
 }
 
 impl Found {
     pub(super) fn of(program: &Program, resources: &Resources<'_>) -> Res<Self> {
-        Ok(Self {
+        let mut found = Self {
             buffers: buffers(program, resources.buffers)?,
             samplers: samplers(program, resources)?,
             images: images(program, resources.textures)?,
-        })
+        };
+        found.elements(program, resources)?;
+        Ok(found)
     }
 }
 
-/// The buffer of each variable that has one.
-fn buffers(program: &Program, buffers: &[Buffer]) -> Res<Vec<Option<usize>>> {
+/// The buffer of each variable that stands for one.
+fn buffers(program: &Program, buffers: &[Buffer]) -> Res<Vec<FoundBuffer>> {
     let find = |wanted: &program::Buffer| {
         let Some((group, binding)) = wanted.binding else {
-            return Ok(None);
+            return Ok(FoundBuffer::Own);
         };
-        let name = || wanted.name.clone();
+        if wanted.content != Content::Variable {
+            return Ok(FoundBuffer::Directory(Vec::new()));
+        }
         let index = buffers
             .iter()
             .position(|b| (b.group, b.binding) == (group, binding))
-            .ok_or_else(|| InterpError::MissingBuffer { name: name(), group, binding })?;
-        let (expected, found) = (wanted.bytes as usize, buffers[index].data.len());
-        if found < expected {
-            return Err(InterpError::BufferTooSmall { name: name(), expected, found });
-        }
-        Ok(Some(index))
+            .ok_or_else(|| InterpError::MissingBuffer { name: wanted.name.clone(), group, binding })?;
+        check_size(wanted, &buffers[index])?;
+        Ok(FoundBuffer::One(index))
     };
     program.buffers.iter().map(find).collect()
 }
 
+/// Whether a buffer has room for what its variable wants.
+fn check_size(wanted: &program::Buffer, buffer: &Buffer) -> Res<()> {
+    let (expected, found) = (wanted.bytes as usize, buffer.data.len());
+    if found < expected {
+        return Err(InterpError::BufferTooSmall { name: wanted.name.clone(), expected, found });
+    }
+    Ok(())
+}
+
 /// The texture of each variable.
-fn images(program: &Program, textures: &[BoundTexture]) -> Res<Vec<usize>> {
-    let find = |wanted: &program::Image| {
+fn images(program: &Program, textures: &[BoundTexture]) -> Res<Vec<FoundImage>> {
+    let find = |(index, wanted): (usize, &program::Image)| {
         let (group, binding) = wanted.binding;
         let found = textures.iter().position(|t| (t.group, t.binding) == (group, binding));
         let missing = || InterpError::MissingTexture { name: wanted.name.clone(), group, binding };
         let found = found.ok_or_else(missing)?;
-        let shape = textures[found].texture.shape();
-        if let Some(expected) = misfit(wanted, &shape) {
-            let (name, found) = (wanted.name.clone(), shape.to_string());
-            return Err(InterpError::TextureMisfit { name, expected, found });
-        }
-        Ok(found)
+        check_texture(wanted, &textures[found])?;
+        let variable = wanted.array.is_none().then_some(index);
+        Ok(FoundImage { at: found, variable, element: 0 })
     };
-    program.images.iter().map(find).collect()
+    program.images.iter().enumerate().map(find).collect()
+}
+
+/// Whether a texture is what its variable wants.
+fn check_texture(wanted: &program::Image, texture: &BoundTexture) -> Res<()> {
+    let shape = texture.texture.shape();
+    match misfit(wanted, &shape) {
+        Some(expected) => {
+            let (name, found) = (wanted.name.clone(), shape.to_string());
+            Err(InterpError::TextureMisfit { name, expected, found })
+        }
+        None => Ok(()),
+    }
 }
 
 /// What a variable wants, unless the shape is it.
@@ -147,13 +194,19 @@ fn samplers(program: &Program, resources: &Resources<'_>) -> Res<Vec<Sampler>> {
     let find = |wanted: &program::SamplerVariable| {
         let (group, binding) = wanted.binding;
         let found = resources.samplers.iter().find(|s| (s.group, s.binding) == (group, binding));
-        let name = || wanted.name.clone();
-        let sampler =
-            found.ok_or_else(|| InterpError::MissingSampler { name: name(), group, binding })?.sampler;
-        if sampler.compare.is_some() != wanted.comparison {
-            return Err(InterpError::SamplerMisfit { name: name(), comparison: wanted.comparison });
-        }
+        let missing = || InterpError::MissingSampler { name: wanted.name.clone(), group, binding };
+        let sampler = found.ok_or_else(missing)?.sampler;
+        check_sampler(wanted, &sampler)?;
         Ok(sampler)
     };
     program.samplers.iter().map(find).collect()
+}
+
+/// Whether a sampler is what its variable wants.
+fn check_sampler(wanted: &program::SamplerVariable, sampler: &Sampler) -> Res<()> {
+    if sampler.compare.is_some() != wanted.comparison {
+        let (name, comparison) = (wanted.name.clone(), wanted.comparison);
+        return Err(InterpError::SamplerMisfit { name, comparison });
+    }
+    Ok(())
 }

@@ -147,8 +147,10 @@ fn arguments(profile: &str, entry: Option<&str>, output: DxcOutput) -> Result<Ve
     if output != DxcOutput::Dxil {
         // The text's operations as they stand: DXC's optimiser makes `a / b` of `a * (1 / b)`, and what is asked of a
         // driver would be asked of the optimiser.
-        // KHR only: this DXC would else declare an NVIDIA extension for every subgroup operation.
+        // KHR's, and the one that binding arrays need: this DXC would else declare an NVIDIA extension for every subgroup
+        // operation.
         arguments.extend(["-O0", "-spirv", "-fspv-target-env=vulkan1.1", "-fspv-extension=KHR"]);
+        arguments.push("-fspv-extension=SPV_EXT_descriptor_indexing");
     }
     if let Some(bad) = arguments.iter().find(|argument| argument.is_empty() || argument.contains('\0')) {
         return Err(TranslateError::BadInput {

@@ -101,8 +101,8 @@ pub(crate) fn ramp() -> Vec<f32> {
 /// Bindings for the kernels above: `input`, and an `output` of the same size, filled with a value that none writes.
 pub(crate) fn bindings<'a>(input: &'a [u8], output: &'a [u8]) -> [Binding<'a>; 2] {
     [
-        Binding { group: 0, binding: 0, kind: BindingKind::StorageRead, data: input },
-        Binding { group: 0, binding: 1, kind: BindingKind::StorageReadWrite, data: output },
+        Binding { group: 0, binding: 0, element: None, kind: BindingKind::StorageRead, data: input },
+        Binding { group: 0, binding: 1, element: None, kind: BindingKind::StorageReadWrite, data: output },
     ]
 }
 

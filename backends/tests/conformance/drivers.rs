@@ -92,7 +92,7 @@ impl Operation {
             self.args.iter().enumerate().map(|(column, ty)| bytes(*ty, &rows, column)).collect();
         let width = self.result.bits() as usize / 8;
         let empty = vec![0; rows.len() * width];
-        let binding = |binding, kind, data| Binding { group: 0, binding, kind, data };
+        let binding = |binding, kind, data| Binding { group: 0, binding, element: None, kind, data };
         let mut bindings: Vec<Binding<'_>> =
             (0..).zip(&columns).map(|(at, data)| binding(at, BindingKind::StorageRead, &data[..])).collect();
         bindings.push(binding(9, BindingKind::StorageReadWrite, &empty));

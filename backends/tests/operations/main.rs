@@ -78,7 +78,6 @@ fn what_is_refused_has_a_module_that_is() {
 
 /// What each refused module's message has to say.
 const REFUSALS: &[(&str, &str)] = &[
-    ("binding_array.wgsl", "binding arrays"),
     ("cooperative_matrix.wgsl", "cooperative matrices"),
     ("external_texture.wgsl", "external textures"),
     ("ray_query.wgsl", "ray queries"),

@@ -116,7 +116,7 @@ sections! {
         Scalar Runs, Vector Runs, Matrix Runs, CooperativeMatrix COOPERATIVE, Atomic Runs, Pointer Runs,
         ValuePointer Outside("only the types of expressions are such"),
         Array Runs, Struct Runs, Image Runs, Sampler Runs, AccelerationStructure RAYS, RayQuery RAYS,
-        BindingArray Refused("arrays of bindings are not bound yet"),
+        BindingArray Runs,
     }
     array_size: "Lengths of arrays", ArraySize { Constant Runs, Pending Runs, Dynamic Runs }
     space: "Address spaces", AddressSpace {

@@ -348,6 +348,79 @@ fn textures_have_a_shape_and_texels() {
     assert_fails(&run(&["--texture", "image=r8:1x1x1"]), 2, &["`r8` is no texture format"]);
 }
 
+/// Two arrays of buffers, one of them as long as is said, and one of textures.
+const ARRAYS: &str = "
+    enable wgpu_binding_array;
+    struct Row { tag: u32, items: array<u32> }
+    @group(0) @binding(0) var<storage, read_write> rows: binding_array<Row>;
+    @group(0) @binding(1) var<storage> three: binding_array<Row, 3>;
+    @group(0) @binding(2) var images: binding_array<texture_2d<u32>>;
+    @compute @workgroup_size(1) fn main(@builtin(workgroup_id) group: vec3<u32>) {
+        rows[group.x].tag += arrayLength(&rows[group.x].items) + three[2].tag;
+        rows[group.x].items[0] = textureLoad(images[1], vec2<u32>(1u, 0u), 0).x;
+    }";
+
+#[test]
+fn elements_of_binding_arrays_are_given_and_kept_one_by_one() {
+    let folder = folder(&[("a.wgsl", ARRAYS.as_bytes()), ("row.json", br#"{"tag": 7, "items": [1, 2, 3]}"#)]);
+    let (shader, file) = (at(&folder, "a.wgsl"), at(&folder, "row.json"));
+    let (input, output) = (format!("rows[1]={file}"), format!("0:0[1]={}", at(&folder, "out.json")));
+    let common = ["run", &shader, "--workgroups", "2", "--route", "judge"];
+    let given = [
+        "--input",
+        &input,
+        "--input",
+        "0:1[2]=words:100,0",
+        "--size",
+        "rows[5]=12",
+        "--elements",
+        "images=2",
+        "--texture",
+        "images=r32uint:2x1x1",
+        "--input",
+        "images[1]=words:8,9",
+        "--output",
+        &output,
+    ];
+    let said = assert_holds(&lobe(&[&common[..], &given].concat()));
+    for part in ["rows[0] (0:0[0]) 260 bytes", "rows[1] (0:0[1]) 16 bytes", "rows[5] (0:0[5]) 12 bytes"] {
+        assert!(said.contains(part), "no `{part}` in {said}");
+    }
+    assert!(!said.contains("rows[6]") && !said.contains("images[2]") && said.contains("three[2]"), "{said}");
+    let json = std::fs::read_to_string(folder.path().join("out.json")).expect("readable");
+    assert_eq!(json.trim(), r#"{"tag":110,"items":[9,2,3]}"#);
+
+    let lines = |rest: &[&str]| text(&lobe(&[&common[..], rest].concat()).stdout).matches("rows[").count();
+    // Four of which nobody says anything, each as an input and as a result.
+    assert_eq!(lines(&[]), 2 * 4);
+    assert_eq!(lines(&["--elements", "rows=2", "--size", "rows=16"]), 2 * 2);
+}
+
+#[test]
+fn elements_that_a_binding_array_has_not_are_named() {
+    let folder = folder(&[("a.wgsl", ARRAYS.as_bytes())]);
+    for (option, value, part) in [
+        ("--size", "three[3]=16", "`three` has 3 elements, there is no three[3]"),
+        ("--elements", "three=4", "`three` has 3 elements, not 4"),
+        ("--elements", "rows=0", "`rows` would have 0 elements"),
+        ("--elements", "rows=1000000", "`rows` would have 1000000 elements"),
+        ("--input", "rows[4000000000]=zeros", "`rows` would have 4000000001 elements"),
+        ("--input", "rows[x]=zeros", "the shader has no resource `rows[x]`"),
+        ("--output", "rows=out.bin", "`rows` has several elements; name one, as rows[0]"),
+        ("--size", "rows[0]=4", "`rows[0]` needs 8 bytes or more"),
+    ] {
+        let said = lobe(&["run", &at(&folder, "a.wgsl"), "--route", "interp", option, value]);
+        assert!(text(&said.stdout).contains(part), "{value}: {}", text(&said.stdout));
+        assert_eq!(said.status.code(), Some(2), "{value}");
+    }
+    let scalar = format!("{OUT}{MAIN} out[0] = 1u; }}");
+    let folder = self::folder(&[("a.wgsl", scalar.as_bytes())]);
+    let said = lobe(&["run", &at(&folder, "a.wgsl"), "--route", "interp", "--elements", "out=2"]);
+    assert!(text(&said.stdout).contains("`out` is no binding array"), "{}", text(&said.stdout));
+    let said = lobe(&["run", &at(&folder, "a.wgsl"), "--route", "interp", "--size", "out[0]=16"]);
+    assert!(text(&said.stdout).contains("the shader has no resource `out[0]`"), "{}", text(&said.stdout));
+}
+
 #[test]
 fn routes_agree_on_integers_and_say_what_is_not_judged() {
     if !lobe_backends::gpu::drivers().iter().any(|d| d.name == "lavapipe") {

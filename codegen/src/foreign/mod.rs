@@ -4,12 +4,14 @@
 
 mod barrier;
 mod component;
+mod elements;
 mod entry;
 mod glsl;
 mod read;
 mod spirv;
 mod workgroup;
 
+pub use elements::with_elements;
 pub use entry::{Override, choose, isolate};
 pub use read::read;
 

@@ -24,6 +24,7 @@ impl Job {
             say("fill", self.usual.to_string());
         }
         self.sizes.iter().for_each(|(name, size)| say("size", format!("{name}={size}")));
+        self.elements.iter().for_each(|(name, count)| say("elements", format!("{name}={count}")));
         for (name, sketch) in &self.textures {
             say("texture", format!("{name}={}", String::from(sketch.clone())));
         }

@@ -91,7 +91,7 @@ pub fn compare(
     permit: impl Fn(usize, Scalar) -> Permit,
 ) -> Compared {
     let mut compared = Compared {
-        buffer: given.name.clone(),
+        buffer: given.title(),
         standing: Standing::Equal,
         scalars: 0,
         differing: 0,
@@ -105,7 +105,8 @@ pub fn compare(
         let (ours, theirs) = (&interp[range.clone()], &found[range]);
         if ours != theirs && !are_nan(scalar, ours, theirs) {
             let permit = permit(at, scalar);
-            compared.note(scalar, ours, theirs, permit, || format!("{}{}", given.name, given.shape.path(at)));
+            compared
+                .note(scalar, ours, theirs, permit, || format!("{}{}", given.title(), given.shape.path(at)));
         }
     });
     compared
@@ -177,7 +178,7 @@ mod tests {
         let shape = Shape::List { part, count: None, stride: 4, is_vector: false };
         let kind = BindingKind::StorageReadWrite;
         let (name, data) = ("out".to_owned(), Vec::new());
-        Given { name, group: 0, binding: 0, kind, data, shape, is_coded: false }
+        Given { name, group: 0, binding: 0, element: None, kind, data, shape, is_coded: false }
     }
 
     fn bytes(values: &[f32]) -> Vec<u8> {

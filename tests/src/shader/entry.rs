@@ -9,7 +9,7 @@ use super::json;
 use super::machine::{self, Bounds, Machine, MachineError};
 use super::number;
 use super::report::{Input, Report, RouteReport, RouteStatus, Status};
-use super::resource::{self, Resource};
+use super::resource::{self, Called, Elements, Resource};
 use super::routes::{Failure, Routes, ShaderRoute, Subject};
 use super::run::{Res, Steps, Stop, stop};
 use super::texture;
@@ -22,6 +22,12 @@ use std::time::Duration;
 
 /// Means all routes to drivers that can be taken here.
 pub const READY: &str = "ready";
+
+/// Elements of a binding array of which nobody says how many it has.
+const ELEMENTS: u32 = 4;
+
+/// Most elements of a binding array.
+const MOST_ELEMENTS: u32 = 1 << 12;
 
 /// Most invocations of a run.
 const INVOCATIONS: u64 = 1 << 36;
@@ -136,7 +142,8 @@ impl<'t, 's> Trial<'t, 's> {
             return stop(Status::Error, format!("{invocations} invocations are more than {INVOCATIONS}"));
         }
         let mut all = Vec::new();
-        for resource in resources {
+        for resource in each(job, resources)? {
+            let resource = &resource;
             let feed = last(&job.inputs, resource).unwrap_or(&job.usual);
             let said = Said {
                 feed,
@@ -146,7 +153,7 @@ impl<'t, 's> Trial<'t, 's> {
             };
             let given = feed::fill(resource, said, invocations).or_else(|e| stop(Status::Error, e))?;
             self.report.inputs.push(Input {
-                name: resource.name.clone(),
+                name: resource.title(),
                 place: resource.place(),
                 bytes: given.data.len(),
                 from: described(&given, feed),
@@ -335,7 +342,7 @@ fn names(job: &Job) -> impl Iterator<Item = &String> {
     let bytes = job.inputs.iter().map(|i| &i.0).chain(job.sizes.iter().map(|s| &s.0));
     let shapes = job.textures.iter().map(|t| &t.0).chain(job.samplers.iter().map(|s| &s.0));
     let results = job.outputs.iter().map(|o| &o.0).chain(job.within.iter().map(|w| &w.0));
-    bytes.chain(shapes).chain(results)
+    bytes.chain(shapes).chain(results).chain(job.elements.iter().map(|e| &e.0))
 }
 
 /// The last of `list` that means `resource`: what comes later on a command line wins.
@@ -343,13 +350,51 @@ fn last<'l, T>(list: &'l [(String, T)], resource: &Resource) -> Option<&'l T> {
     list.iter().rev().find(|(name, _)| resource.is_called(name)).map(|(_, value)| value)
 }
 
-fn known(all: &[(String, String)], wanted: &str) -> Res<()> {
-    if all.iter().any(|(name, place)| name == wanted || place == wanted) {
+fn known(all: &[Called], wanted: &str) -> Res<()> {
+    if all.iter().any(|called| called.is(wanted)) {
         return Ok(());
     }
-    let names: Vec<String> = all.iter().map(|(name, place)| format!("`{name}` ({place})")).collect();
+    let names: Vec<String> = all.iter().map(|c| format!("`{}` ({})", c.name, c.place)).collect();
     let names = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
     stop(Status::Error, format!("the shader has no resource `{wanted}`; it has {names}"))
+}
+
+/// The resources, with the elements of binding arrays told apart.
+fn each(job: &Job, resources: &[Resource]) -> Res<Vec<Resource>> {
+    let mut all = Vec::new();
+    for resource in resources {
+        all.extend(resource.clone().each(count(job, resource)?));
+    }
+    Ok(all)
+}
+
+/// How many elements a resource has. A binding array that does not say it has those that the user names, and
+/// [`ELEMENTS`] at least.
+fn count(job: &Job, resource: &Resource) -> Res<u32> {
+    let name = &resource.name;
+    let named = names(job).filter_map(|name| resource.index_in(name)).max();
+    let said = last(&job.elements, resource).copied();
+    let count = match (resource.elements, said) {
+        (Elements::One, None) => return Ok(1),
+        (Elements::One, Some(_)) => return stop(Status::Error, format!("`{name}` is no binding array")),
+        (Elements::Known(count), Some(said)) if said != count => {
+            return stop(Status::Error, format!("`{name}` has {count} elements, not {said}"));
+        }
+        (Elements::Known(count), _) | (Elements::Bound, Some(count)) => count,
+        (Elements::Bound, None) => named.map_or(0, |index| index.saturating_add(1)).max(ELEMENTS),
+    };
+    if count == 0 || count > MOST_ELEMENTS {
+        return stop(
+            Status::Error,
+            format!("`{name}` would have {count} elements, not 1 to {MOST_ELEMENTS}"),
+        );
+    }
+    match named.filter(|index| *index >= count) {
+        Some(index) => {
+            stop(Status::Error, format!("`{name}` has {count} elements, there is no {name}[{index}]"))
+        }
+        None => Ok(count),
+    }
 }
 
 /// Where the bytes of a resource came from, and what it is if it is no buffer.
@@ -366,7 +411,11 @@ fn described(given: &Given, feed: &Feed) -> String {
 /// Writes the interpreter's results where they are asked for.
 fn write(job: &Job, given: &[Given], ours: &Owned) -> Res<()> {
     for (name, path) in &job.outputs {
-        let Some(given) = given.iter().find(|g| g.is_called(name)) else { continue };
+        let mut called = given.iter().filter(|g| g.is_called(name));
+        let Some(given) = called.next() else { continue };
+        if called.next().is_some() {
+            return stop(Status::Error, format!("`{name}` has several elements; name one, as {name}[0]"));
+        }
         let bytes = ours.bytes(given);
         let bytes = match path.extension() {
             Some(e) if e == "json" => format!("{}\n", json::value(&given.shape, bytes)).into_bytes(),

@@ -107,9 +107,9 @@ pub struct Said<'s> {
 /// # Errors
 /// When the file cannot be read or does not follow the type, or the size does not fit.
 pub fn fill(resource: &Resource, said: Said<'_>, invocations: u64) -> Result<Given, String> {
-    let &Resource { ref name, group, binding, .. } = resource;
+    let &Resource { ref name, group, binding, element, .. } = resource;
     let given = |kind, data, shape, is_coded| {
-        Ok(Given { name: name.clone(), group, binding, kind, data, shape, is_coded })
+        Ok(Given { name: name.clone(), group, binding, element, kind, data, shape, is_coded })
     };
     match &resource.what {
         What::Sampler { is_comparison } => {
@@ -133,7 +133,7 @@ pub fn fill(resource: &Resource, said: Said<'_>, invocations: u64) -> Result<Giv
 }
 
 fn texels(resource: &Resource, shape: TextureShape, feed: &Feed) -> Result<Vec<u8>, String> {
-    let name = &resource.name;
+    let name = &resource.title();
     let size = checked(name, shape.bytes())?;
     let data = match feed {
         Feed::Zeros => vec![0; size],
@@ -156,7 +156,7 @@ fn bytes(
     said: Said<'_>,
     invocations: u64,
 ) -> Result<Vec<u8>, String> {
-    let (name, size) = (&resource.name, said.size);
+    let (name, size) = (&resource.title(), said.size);
     let mut bytes = match said.feed {
         Feed::File(path) => read(name, shape, least, path)?,
         Feed::Words(words) => bytes_of(words),

@@ -1,6 +1,6 @@
 //! What a resource holds, for every executor.
 
-use super::resource::place;
+use super::resource;
 use super::shape::Shape;
 use lobe_backends::gpu::{Access, Binding, BindingKind};
 use lobe_backends::interp::{BoundSampler, BoundTexture, Buffer, IMMEDIATES, Resources};
@@ -15,6 +15,8 @@ pub struct Given {
     pub group: u32,
     /// Binding within the group.
     pub binding: u32,
+    /// Which element of a binding array it is.
+    pub element: Option<u32>,
     /// What the shader does with it.
     pub kind: BindingKind,
     /// Its bytes or texels; none of a sampler.
@@ -29,7 +31,13 @@ impl Given {
     /// Whether a user means it by `name`, which may be its place.
     #[must_use]
     pub fn is_called(&self, name: &str) -> bool {
-        self.name == name || place((self.group, self.binding)) == name
+        resource::is_called(name, &self.name, (self.group, self.binding), self.element)
+    }
+
+    /// What a report calls it.
+    #[must_use]
+    pub fn title(&self) -> String {
+        resource::spelt(self.name.clone(), self.element)
     }
 
     /// Whether it is the module's immediates.
@@ -75,7 +83,8 @@ impl Given {
     /// The same for a driver.
     #[must_use]
     pub fn lend(&self) -> Binding<'_> {
-        Binding { group: self.group, binding: self.binding, kind: self.kind, data: &self.data }
+        let Self { group, binding, element, kind, ref data, .. } = *self;
+        Binding { group, binding, element, kind, data }
     }
 }
 
@@ -121,9 +130,10 @@ impl Owned {
     #[must_use]
     pub fn bytes(&self, given: &Given) -> &[u8] {
         let place = (given.group, given.binding);
-        let buffer = self.buffers.iter().find(|b| (b.group, b.binding) == place).map(|b| b.data.as_slice());
-        let textures = &self.textures;
-        let texture = || textures.iter().find(|t| (t.group, t.binding) == place).map(|t| t.texture.bytes());
-        buffer.or_else(texture).unwrap_or_default()
+        let element = given.element.unwrap_or(0) as usize;
+        let mut buffers = self.buffers.iter().filter(|b| (b.group, b.binding) == place);
+        let mut textures = self.textures.iter().filter(|t| (t.group, t.binding) == place);
+        let buffer = buffers.nth(element).map(|b| b.data.as_slice());
+        buffer.or_else(|| textures.nth(element).map(|t| t.texture.bytes())).unwrap_or_default()
     }
 }

@@ -24,6 +24,9 @@ pub struct Job {
     pub outputs: Vec<(String, PathBuf)>,
     /// Bytes of buffers.
     pub sizes: Vec<(String, usize)>,
+    /// Elements of binding arrays that do not say how many they have.
+    #[serde(default)]
+    pub elements: Vec<(String, u32)>,
     /// Shapes of textures.
     pub textures: Vec<(String, Sketch)>,
     /// Samplers.
@@ -73,6 +76,7 @@ impl Job {
             usual: usual(),
             outputs: Vec::new(),
             sizes: Vec::new(),
+            elements: Vec::new(),
             textures: Vec::new(),
             samplers: Vec::new(),
             within: Vec::new(),

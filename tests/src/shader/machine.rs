@@ -141,10 +141,12 @@ pub struct Bounds(ShadowRun);
 impl Bounds {
     fn permit(&self, given: &Given, at: usize, scalar: Scalar, theirs: &[u8]) -> Option<Permit> {
         let place = (given.group, given.binding);
-        if let Some(texture) = self.0.textures.iter().find(|t| (t.group, t.binding) == place) {
+        let element = given.element.unwrap_or(0);
+        let is_it = |t: &&ShadowTexture| (t.group, t.binding) == place && t.element == element;
+        if let Some(texture) = self.0.textures.iter().find(is_it) {
             return texel(texture, given.format()?, at, theirs);
         }
-        let buffer = self.0.buffers.iter().find(|b| (b.group, b.binding) == place)?;
+        let buffer = self.0.buffers.iter().find(|b| (b.group, b.binding) == place && b.element == element)?;
         if scalar.width != 4 {
             return other(buffer, at, scalar);
         }

@@ -10,9 +10,9 @@ use lobe_backends::routes::{Machine, State};
 use lobe_backends::translate::{DxcOutput, spirv_val, spirv_words};
 use lobe_codegen::ValidModule;
 use lobe_codegen::emit::{Content, EmitError, Plain, Target, check_calls, immediates_in_hlsl, plain};
-use lobe_codegen::foreign::{Language, Source};
+use lobe_codegen::foreign::{self, Language, Source};
 use lobe_codegen::validate;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::time::Duration;
 
 /// The road of a SPIR-V file's own words.
@@ -47,7 +47,13 @@ impl ShaderRoute {
         let lend = |given: &'g Given| match given.lend() {
             binding if is_hlsl && given.is_immediate() => {
                 let (group, binding_in_hlsl) = immediates_in_hlsl(subject.module.module());
-                Binding { group, binding: binding_in_hlsl, kind: BindingKind::StorageRead, ..binding }
+                Binding {
+                    group,
+                    binding: binding_in_hlsl,
+                    element: None,
+                    kind: BindingKind::StorageRead,
+                    ..binding
+                }
             }
             binding if is_hlsl && binding.kind == BindingKind::Uniform => {
                 Binding { kind: BindingKind::StorageRead, ..binding }
@@ -286,7 +292,7 @@ impl Routes {
         }
         let size = self.open(driver, Way::Wgpu).ok().and_then(|gpu| {
             let kind = BindingKind::StorageReadWrite;
-            let bindings = [Binding { group: 0, binding: 0, kind, data: &[0; 4] }];
+            let bindings = [Binding { group: 0, binding: 0, element: None, kind, data: &[0; 4] }];
             let shader = Shader::Wgsl(PROBE);
             let job = Job {
                 shader,
@@ -318,11 +324,18 @@ impl Routes {
 
     /// What the driver is given.
     fn written(&self, road: Option<Road>, subject: &Subject<'_>) -> Result<Plain, Failure> {
-        let write = |target| {
-            plain(subject.module, target, subject.entry, subject.workgroups).map_err(|e| Failure::of_emit(&e))
+        let of = |module: &ValidModule, target| {
+            plain(module, target, subject.entry, subject.workgroups).map_err(|e| Failure::of_emit(&e))
+        };
+        let write = |target| of(subject.module, target);
+        // A driver gets the lengths of binding arrays with the words, but WGSL has wgpu for that.
+        let sized = |target| {
+            let sized = foreign::with_elements(subject.module, &elements(subject.given));
+            let sized = sized.map_err(|e| Failure::refused(e.to_string()))?;
+            of(sized.as_ref().unwrap_or(subject.module), target)
         };
         match road {
-            Some(Road::Spirv) => write(Target::Spirv),
+            Some(Road::Spirv) => sized(Target::Spirv),
             Some(Road::WgslNaga) => match subject.source.wgsl().filter(|_| subject.is_as_written) {
                 Some(text) => {
                     check_calls(subject.module.module()).map_err(|e| Failure::of_emit(&e))?;
@@ -330,10 +343,10 @@ impl Routes {
                 }
                 None => write(Target::Wgsl),
             },
-            Some(road @ (Road::HlslDxc | Road::HlslSlang)) => self.translated(road, &write(road.target())?),
+            Some(road @ (Road::HlslDxc | Road::HlslSlang)) => self.translated(road, &sized(road.target())?),
             Some(road @ Road::GlslGlslang) => {
                 check_samplers(subject.module)?;
-                self.translated(road, &write(road.target())?)
+                self.translated(road, &sized(road.target())?)
             }
             Some(Road::WgslTint) => match subject.source.text().filter(|_| subject.is_own_wgsl()) {
                 Some(text) => Ok(subject.for_tint(text, subject.entry)),
@@ -379,6 +392,15 @@ fn check_samplers(module: &ValidModule) -> Result<(), Failure> {
         true => Err(Failure::refused("GLSL as naga writes it has no samplers of their own".to_owned())),
         false => Ok(()),
     }
+}
+
+/// How many elements the binding arrays have, by group and binding.
+fn elements(given: &[Given]) -> Vec<((u32, u32), u32)> {
+    let mut counts: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    for given in given.iter().filter(|given| given.element.is_some()) {
+        *counts.entry((given.group, given.binding)).or_default() += 1;
+    }
+    counts.into_iter().collect()
 }
 
 /// What a run of the interpreter leaves where the shader may write.

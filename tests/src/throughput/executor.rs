@@ -157,7 +157,7 @@ impl<'w> Subject<'w> {
     fn dispatch(&self, road: Road, gpu: &mut Gpu) -> Result<Duration, BenchError> {
         let last = self.data.len() - 1;
         let kind = |at| if at == last { BindingKind::StorageReadWrite } else { BindingKind::StorageRead };
-        let bind = |(at, data)| Binding { group: 0, binding: at as u32, kind: kind(at), data };
+        let bind = |(at, data)| Binding { group: 0, binding: at as u32, element: None, kind: kind(at), data };
         let bindings: Vec<Binding<'_>> = self.data.iter().map(Vec::as_slice).enumerate().map(bind).collect();
         let shader = match road {
             Road::Spirv => Shader::Spirv(&self.spirv),

@@ -26,7 +26,7 @@ pub(crate) fn run(
     let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>();
     let held: Vec<Vec<u8>> = inputs.iter().map(|(_, _, words)| bytes(words)).collect();
     let zeros = vec![0; size * 4];
-    let bind = |binding, kind, data| Binding { group: 0, binding, kind, data };
+    let bind = |binding, kind, data| Binding { group: 0, binding, element: None, kind, data };
     let mut bindings: Vec<Binding<'_>> = Vec::new();
     for ((binding, is_uniform, _), data) in inputs.iter().zip(&held) {
         let kind = if *is_uniform { BindingKind::Uniform } else { BindingKind::StorageRead };

@@ -101,7 +101,7 @@ fn reader(library: &str, name: &str, leaves: &[Leaf]) -> String {
 
 fn read(gpu: &mut Gpu, shader: &str, given: &[u8], count: usize) -> Vec<u32> {
     let found = vec![0u8; 4 * count];
-    let bind = |binding, kind, data| Binding { group: 0, binding, kind, data };
+    let bind = |binding, kind, data| Binding { group: 0, binding, element: None, kind, data };
     let bindings = [bind(0, BindingKind::StorageRead, given), bind(1, BindingKind::StorageReadWrite, &found)];
     let job = Job {
         shader: Shader::Wgsl(shader),

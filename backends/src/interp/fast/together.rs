@@ -94,14 +94,21 @@ impl<const N: usize> Body<N> for Texture {
     unsafe fn run(m: &mut Machine<N>, i: &Inst<N>, at: usize) -> usize {
         let calls = Arc::clone(&m.calls);
         let call = &calls.textures[i.n[0] as usize];
-        let sampler = match call.op {
+        let own = match call.op {
             TextureOp::Sample(sampling) => m.samplers.get(sampling.sampler as usize).copied(),
             _ => None,
         };
-        let mut image = m.images[call.image as usize];
+        let (mut sampler, mut image) = (own, m.images[call.image as usize]);
         for lane in 0..N {
             if m.active(i.s[0], lane) {
                 let operands = call.operands.map(|operand| m.operand(operand, lane));
+                // Elements of binding arrays.
+                if let Some(number) = operands.texture {
+                    image = m.images[number as usize];
+                }
+                if let Some(number) = operands.sampler {
+                    sampler = m.samplers.get(number as usize).copied();
+                }
                 let result = perform(&mut image, sampler.as_ref(), call.op, &operands);
                 for (to, bits) in call.to.iter().zip(result) {
                     to.iter().for_each(|to| m.set_result(*to, lane, bits));

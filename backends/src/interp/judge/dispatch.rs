@@ -3,9 +3,10 @@
 //! The invocations of a workgroup are the lanes of one batch, so a barrier needs nothing but all of them;
 //! workgroups run one after the other.
 
+use super::super::Buffer;
 use super::super::finding::{Checks, Finding};
 use super::super::model::Model;
-use super::super::resources::{Found, Resources};
+use super::super::resources::{Found, FoundBuffer, Resources};
 use super::super::shadow::{Promises, Shadow};
 use super::super::strict::Strict;
 use super::super::{ShadowBuffer, ShadowFloat, ShadowRun, ShadowTexel, ShadowTexture, ShadowWord};
@@ -15,6 +16,7 @@ use super::picture::{Picture, Stored};
 use super::shared::{Cell, Other, Shared};
 use super::watch::{self, Watch};
 use super::{Code, Machine, Res};
+use std::ops::Range;
 
 /// A dispatch of a program.
 pub(in super::super) struct Dispatch<'a> {
@@ -65,27 +67,15 @@ impl Dispatch<'_> {
             self.everything(resources, |_| Shadow::new(promises), detach, &mut None)?;
         let written = self.code.program.buffers.iter().zip(&memory).filter(|(b, _)| b.written);
         let mut buffers: Vec<_> = written
-            .filter_map(|(buffer, shared)| {
-                let (group, binding) = buffer.binding?;
-                let words = (0..shared.cells.len()).map(|at| told(&m, shared.get(&m, at))).collect();
-                let others = shared.others.iter().filter(|_| !shared.spoiled);
-                let float = |(at, other): (&usize, &Other<Shadow>)| {
-                    let a = other.float;
-                    ShadowFloat {
-                        at: *at,
-                        bytes: other.scalar.bytes(),
-                        value: a.value,
-                        exact: a.exact,
-                        bound: m.bound(a),
-                    }
-                };
-                Some(ShadowBuffer { group, binding, words, floats: others.map(float).collect() })
-            })
+            .filter_map(|(buffer, shared)| Some(told_buffers(&m, buffer.binding?, shared)))
+            .flatten()
             .collect();
         buffers.sort_by_key(|b| (b.group, b.binding));
-        let written = self.code.program.images.iter().zip(&images).filter(|(i, _)| i.written);
-        let textures = written.map(|(image, picture)| told_texture(image.binding, picture)).collect();
-        Ok(ShadowRun { buffers, textures })
+        let textures = images.iter().filter_map(|picture| {
+            let image = &self.code.program.images[picture.found.variable?];
+            image.written.then(|| told_texture(image.binding, picture))
+        });
+        Ok(ShadowRun { buffers, textures: textures.collect() })
     }
 
     /// Runs all workgroups, each with a model of its own; `after` sees each one's memory once it is done.
@@ -97,9 +87,8 @@ impl Dispatch<'_> {
         watch: &mut Option<Watch>,
     ) -> Res<Left<M>> {
         let found = Found::of(&self.code.program, resources)?;
-        let bytes = |at: &Option<usize>| shared(at.map(|at| &resources.buffers[at].data[..]));
-        let mut memory = found.buffers.iter().map(bytes).collect();
-        let images = found.images.iter().map(|at| Picture::new(resources.textures[*at].texture.clone()));
+        let mut memory = found.buffers.iter().map(|b| shared(b, resources.buffers)).collect();
+        let images = found.images.iter().map(|i| Picture::new(resources.textures[i.at].texture.clone(), *i));
         let mut images: Vec<Picture> = images.collect();
         let mut order = Order::new(M::SHADOW);
         let mut last = model(0);
@@ -120,11 +109,19 @@ impl Dispatch<'_> {
             after(&last, &mut memory, &order);
             order.leave_group(|buffer| self.code.program.buffers[buffer as usize].binding.is_none());
         }
-        for (at, shared) in found.buffers.iter().zip(&memory) {
-            at.iter().for_each(|at| write(&last, shared, &mut resources.buffers[*at].data));
+        for (buffer, shared) in found.buffers.iter().zip(&memory) {
+            match buffer {
+                FoundBuffer::One(at) => write(&last, shared, &mut resources.buffers[*at].data),
+                FoundBuffer::Elements(elements) => {
+                    let mut bytes = elements.gather(resources.buffers);
+                    write(&last, shared, &mut bytes);
+                    elements.scatter(&bytes, resources.buffers);
+                }
+                FoundBuffer::Own | FoundBuffer::Directory(_) => {}
+            }
         }
-        for (at, image) in found.images.iter().zip(&images) {
-            resources.textures[*at].texture = image.texture.clone();
+        for image in images.iter().filter(|image| image.found.variable.is_some()) {
+            resources.textures[image.found.at].texture = image.texture.clone();
         }
         Ok(Left { model: last, memory, images })
     }
@@ -157,9 +154,21 @@ fn write<M: Model>(m: &M, shared: &Shared<M>, bytes: &mut [u8]) {
     }
 }
 
-fn shared<M: Model>(bytes: Option<&[u8]>) -> Shared<M> {
-    let words = bytes.unwrap_or(&[]).as_chunks().0.iter();
-    Shared::new(words.map(|c| Cell::Bits(u32::from_le_bytes(*c))).collect())
+fn shared<M: Model>(found: &FoundBuffer, buffers: &[Buffer]) -> Shared<M> {
+    let words = |bytes: &[u8]| {
+        let words = bytes.as_chunks().0.iter();
+        Shared::new(words.map(|c| Cell::Bits(u32::from_le_bytes(*c))).collect())
+    };
+    match found {
+        FoundBuffer::Own => words(&[]),
+        FoundBuffer::One(at) => words(&buffers[*at].data),
+        FoundBuffer::Elements(elements) => {
+            Shared { elements: Some(elements.clone()), ..words(&elements.gather(buffers)) }
+        }
+        FoundBuffer::Directory(entries) => {
+            Shared::new(entries.iter().map(|word| Cell::Bits(*word)).collect())
+        }
+    }
 }
 
 /// Floats as they are without the tape of the workgroup that wrote them.
@@ -182,6 +191,32 @@ fn told(m: &Shadow, cell: Cell<Shadow>) -> ShadowWord {
     }
 }
 
+/// What is left of a buffer, or of each element of a binding array.
+fn told_buffers(m: &Shadow, (group, binding): (u32, u32), shared: &Shared<Shadow>) -> Vec<ShadowBuffer> {
+    let told_one = |(element, bytes): (u32, Range<usize>)| {
+        let words = bytes.start / 4..bytes.end / 4;
+        let others = shared.others.range(bytes.clone()).filter(|_| !shared.spoiled);
+        let float = |(at, other): (&usize, &Other<Shadow>)| {
+            let a = other.float;
+            ShadowFloat {
+                at: at - bytes.start,
+                bytes: other.scalar.bytes(),
+                value: a.value,
+                exact: a.exact,
+                bound: m.bound(a),
+            }
+        };
+        ShadowBuffer {
+            group,
+            binding,
+            element,
+            words: words.map(|at| told(m, shared.get(m, at))).collect(),
+            floats: others.map(float).collect(),
+        }
+    };
+    (0..).zip(shared.ranges()).map(told_one).collect()
+}
+
 fn told_texture((group, binding): (u32, u32), picture: &Picture) -> ShadowTexture {
     let told = |(at, stored): (&usize, &Stored)| {
         let ranges = match stored {
@@ -191,5 +226,6 @@ fn told_texture((group, binding): (u32, u32), picture: &Picture) -> ShadowTextur
         ShadowTexel { at: *at, ranges }
     };
     let texels = picture.stored.iter().map(told).collect();
-    ShadowTexture { group, binding, texels, is_known: !picture.spoiled }
+    let (element, is_known) = (picture.found.element, !picture.spoiled);
+    ShadowTexture { group, binding, element, texels, is_known }
 }

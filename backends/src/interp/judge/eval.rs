@@ -39,6 +39,7 @@ impl<M: Model> Machine<'_, M> {
             Op::Convert(from, into) => self.convert(from, into, args, to),
             Op::Bitcast(from, into) => self.bitcast(from, into, args, to),
             Op::Index { count, stride } => self.index(count, stride, args, to),
+            Op::IndexWithin { stride } => self.index_within(stride, args, to),
             Op::Length { buffer, begin, stride } => {
                 let length = self.elements(buffer, begin, stride);
                 self.each_word(to, |m, _| m.word(length))

@@ -15,6 +15,7 @@ use super::super::mask::Mask;
 use super::super::model::{Model, Pick};
 use super::super::program::{Block, Label, Reg, Value};
 use super::column::Column;
+use super::picture::Picture;
 use super::plan::Changes;
 use super::waiting::Waiting;
 use super::{MISMATCH, Machine, Res};
@@ -283,8 +284,9 @@ impl<M: Model> Machine<'_, M> {
         // Whatever they would have written.
         let written = self.program.buffers.iter().zip(&mut self.shared).filter(|(b, _)| b.written);
         written.for_each(|(_, shared)| shared.spoiled = true);
-        let written = self.program.images.iter().zip(&mut self.images).filter(|(i, _)| i.written);
-        written.for_each(|(_, image)| image.spoiled = true);
+        let written =
+            |image: &&mut Picture| image.found.variable.is_some_and(|at| self.program.images[at].written);
+        self.images.iter_mut().filter(written).for_each(|image| image.spoiled = true);
         Ok(())
     }
 

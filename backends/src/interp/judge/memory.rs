@@ -28,6 +28,16 @@ impl<M: Model> Machine<'_, M> {
         })
     }
 
+    /// `args[1] + min(args[0], args[2] - 1) * stride`
+    pub(super) fn index_within(&self, stride: u32, args: &[Value], to: &mut Column<M>) -> Res<()> {
+        let &[index, base, count] = args else { return Err(MISMATCH) };
+        let (index, base, count) = (self.words(index)?, self.words(base)?, self.words(count)?);
+        self.each_word(to, |m, lane| {
+            let inside = m.zip_w(index.at(lane), count.at(lane), |i, n| i.min(n.saturating_sub(1)));
+            m.zip_w(inside, base.at(lane), |i, base| base + i * u64::from(stride))
+        })
+    }
+
     pub(super) fn count(&self, count: Count, stride: u32) -> u64 {
         match count {
             Count::Fixed(count) => count.into(),

@@ -1,5 +1,6 @@
 //! What is known of the texels that a program writes.
 
+use super::super::resources::FoundImage;
 use super::super::texture::{Texels, TexelsMut};
 use crate::texture::{Known, Texture, TextureShape};
 use std::collections::BTreeMap;
@@ -12,6 +13,8 @@ pub(in super::super) struct Picture {
     pub(in super::super) stored: BTreeMap<usize, Stored>,
     /// Whether something may have been written that is not known where.
     pub(in super::super) spoiled: bool,
+    /// What it is bound to.
+    pub(in super::super) found: FoundImage,
 }
 
 /// What was stored in a texel.
@@ -24,8 +27,8 @@ pub(in super::super) enum Stored {
 }
 
 impl Picture {
-    pub(in super::super) fn new(texture: Texture) -> Self {
-        Self { texture, stored: BTreeMap::new(), spoiled: false }
+    pub(in super::super) fn new(texture: Texture, found: FoundImage) -> Self {
+        Self { texture, stored: BTreeMap::new(), spoiled: false, found }
     }
 
     /// What drivers may find in the texel at a byte, or where there is none, if that is known at all.

@@ -2,8 +2,10 @@
 
 use super::super::model::{Model, Pick};
 use super::super::program::{Op, Scalar};
+use super::super::resources::elements::Elements;
 use super::super::scalar::eval::eval;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A word of shared memory.
 pub(in super::super) enum Cell<M: Model> {
@@ -54,6 +56,8 @@ pub(in super::super) struct Shared<M: Model> {
     pub(in super::super) others: BTreeMap<usize, Other<M>>,
     /// Whether something may have been written that is not known where.
     pub(in super::super) spoiled: bool,
+    /// Of a binding array, where its elements lie.
+    pub(in super::super) elements: Option<Elements>,
 }
 
 /// A float of 16 or 64 bits.
@@ -64,7 +68,13 @@ pub(in super::super) struct Other<M: Model> {
 
 impl<M: Model> Shared<M> {
     pub(super) fn new(cells: Vec<Cell<M>>) -> Self {
-        Self { cells, others: BTreeMap::new(), spoiled: false }
+        Self { cells, others: BTreeMap::new(), spoiled: false, elements: None }
+    }
+
+    /// The bytes of each buffer in it.
+    pub(in super::super) fn ranges(&self) -> Vec<Range<usize>> {
+        let whole = 0..4 * self.cells.len();
+        self.elements.as_ref().map_or_else(|| vec![whole], |elements| elements.ranges().collect())
     }
 
     pub(super) fn get(&self, m: &M, at: usize) -> Cell<M> {

@@ -5,9 +5,9 @@ use super::super::program::texture::{Access, Operands, Sampling, TextureOp};
 use super::super::program::{Reg, Value};
 use super::super::texture::{Reach, Texels, TexelsMut, perform, reach, texel_at, wanted};
 use super::column::{Column, Family, family};
-use super::picture::Stored;
-use super::{Machine, Res, integer};
-use crate::texture::Known;
+use super::picture::{Picture, Stored};
+use super::{MISMATCH, Machine, Res, integer};
+use crate::texture::{Known, Sampler};
 
 impl<M: Model> Machine<'_, M> {
     pub(super) fn texture(&mut self, access: &Access) -> Res<()> {
@@ -21,10 +21,10 @@ impl<M: Model> Machine<'_, M> {
             let found = self.found(access, &operands, lane)?;
             self.note_written(access, &operands, lane, Stored::Anything)?;
             let sampler = match access.op {
-                TextureOp::Sample(sampling) => self.samplers.get(sampling.sampler as usize).copied(),
+                TextureOp::Sample(sampling) => self.sampler(sampling, &operands).copied(),
                 _ => None,
             };
-            let image = &mut self.images[access.image as usize];
+            let image = self.image_mut(access, &operands)?;
             let result = perform(image, sampler.as_ref(), access.op, &operands);
             self.texture_results(access, lane, result, found)?;
         }
@@ -62,7 +62,7 @@ impl<M: Model> Machine<'_, M> {
 
     /// What drivers may get of an operation, if that is known; an integer that all have is that of the strict path.
     fn found(&self, access: &Access, operands: &Operands<u64>, lane: usize) -> Res<Option<[Known; 4]>> {
-        let image = &self.images[access.image as usize];
+        let image = self.image(access, operands)?;
         let is_known = !M::SHADOW || self.is_place_known(access, lane)?;
         Ok(match access.op {
             TextureOp::Load if is_known => image.found(texel_at(image.shape(), operands)),
@@ -84,11 +84,17 @@ impl<M: Model> Machine<'_, M> {
         lane: usize,
     ) -> Res<Option<[Known; 4]>> {
         let range = |value: Value| Ok(self.model.range(self.floats(value)?.at(lane)));
-        let layer =
-            access.operands.layer.map_or(Ok(true), |layer| Ok(self.model.known(self.word(layer, lane)?)));
+        let is_known =
+            |value: Option<Value>| value.map_or(Ok(true), |v| Ok(self.model.known(self.word(v, lane)?)));
+        let Operands { layer, texture, sampler, .. } = access.operands;
         let level = access.operands.level.map_or(Ok(Known::point(0.0)), range)?;
-        let Some(sampler) = self.samplers.get(sampling.sampler as usize) else { return Ok(None) };
-        if !layer? || level.low < level.high {
+        for value in [layer, texture, sampler] {
+            if !is_known(value)? {
+                return Ok(None);
+            }
+        }
+        let Some(sampler) = self.sampler(sampling, operands) else { return Ok(None) };
+        if level.low < level.high {
             return Ok(None);
         }
         let mut coordinates = [Known::point(0.0); 3];
@@ -97,7 +103,7 @@ impl<M: Model> Machine<'_, M> {
         }
         let reference = access.operands.reference.map(range).transpose()?;
         let sample = wanted(sampler, sampling, operands);
-        Ok(reach(&self.images[access.image as usize], &sample, &Reach { coordinates, reference }))
+        Ok(reach(self.image(access, operands)?, &sample, &Reach { coordinates, reference }))
     }
 
     /// Whether all drivers look at the same place.
@@ -116,11 +122,12 @@ impl<M: Model> Machine<'_, M> {
     fn store_texel(&mut self, access: &Access, operands: &Operands<u64>, lane: usize) -> Res<()> {
         let stored = self.stored(access, lane)?;
         self.note_written(access, operands, lane, stored)?;
-        let image = &mut self.images[access.image as usize];
         let is_taken = !self.flow.unsure(lane) || self.flow.pick(lane).value;
-        if let (true, Some(at)) = (is_taken, texel_at(image.shape(), operands)) {
+        let shape = self.image(access, operands)?.shape();
+        if let (true, Some(at)) = (is_taken, texel_at(shape, operands)) {
             let numbers = operands.values.map(Option::unwrap_or_default);
-            image.set_texel(at, self.model.texel(image.shape().format, numbers));
+            let texel = self.model.texel(shape.format, numbers);
+            self.image_mut(access, operands)?.set_texel(at, texel);
         }
         Ok(())
     }
@@ -152,13 +159,36 @@ impl<M: Model> Machine<'_, M> {
         }
         let is_known = self.is_place_known(access, lane)?;
         let is_unsure = self.flow.unsure(lane);
-        let image = &mut self.images[access.image as usize];
+        let is_any = match access.operands.texture {
+            Some(number) => !self.model.known(self.word(number, lane)?),
+            None => false,
+        };
+        let variable = Some(access.image as usize);
+        // Drivers may have chosen another element.
+        let others = self.images.iter_mut().filter(|i| is_any && i.found.variable == variable);
+        others.for_each(|image| image.spoiled = true);
+        let image = self.image_mut(access, operands)?;
         image.spoiled |= !is_known;
         if let Some(at) = texel_at(image.shape(), operands) {
             let stored = if is_unsure { image.perhaps(at, stored) } else { stored };
             image.stored.insert(at, stored);
         }
         Ok(())
+    }
+
+    /// The texture that an operation is on.
+    pub(super) fn image(&self, access: &Access, operands: &Operands<u64>) -> Res<&Picture> {
+        let at = operands.texture.unwrap_or(access.image.into());
+        self.images.get(at as usize).ok_or(MISMATCH)
+    }
+
+    fn image_mut(&mut self, access: &Access, operands: &Operands<u64>) -> Res<&mut Picture> {
+        let at = operands.texture.unwrap_or(access.image.into());
+        self.images.get_mut(at as usize).ok_or(MISMATCH)
+    }
+
+    fn sampler(&self, sampling: Sampling, operands: &Operands<u64>) -> Option<&Sampler> {
+        self.samplers.get(operands.sampler.unwrap_or(sampling.sampler.into()) as usize)
     }
 
     /// The bits of all operands in a lane.

@@ -24,7 +24,15 @@ impl<'m> Lowerer<'m> {
         base: Handle<Expression>,
         index: u32,
     ) -> Res<Item> {
+        if let Some(array) = self.array_of(frame, base) {
+            let index = self.b.u32(index);
+            return self.element(frame, base, array, index);
+        }
         if let Some(Item::Pointer(pointer)) = &frame.values[base.index()] {
+            if pointer.end.is_some() && self.is_runtime_sized(pointer) {
+                let index = self.b.u32(index);
+                return self.access_memory(pointer, index).map(Item::Pointer);
+            }
             self.index_of_elements(pointer, index)?;
             let (shape, units) = self.types().member(pointer.shape, index, self.packing(pointer.root))?;
             let offset = pointer.offset.saturating_add(units);
@@ -45,6 +53,9 @@ impl<'m> Lowerer<'m> {
         index: Handle<Expression>,
     ) -> Res<Item> {
         let index = frame.single(index)?;
+        if let Some(array) = self.array_of(frame, base) {
+            return self.element(frame, base, array, index);
+        }
         if let Some(known) = self.b.known(index)
             && let Some(count) = self.parts_of(frame, base)?
         {
@@ -87,8 +98,18 @@ impl<'m> Lowerer<'m> {
         Ok(())
     }
 
+    /// Whether a pointer leads to an array whose length is known only when it runs.
+    fn is_runtime_sized(&self, pointer: &Pointer) -> bool {
+        let parts = self.types().parts(pointer.shape, self.packing(pointer.root));
+        parts.is_ok_and(|parts| parts.count.is_none())
+    }
+
     fn access_memory(&mut self, pointer: &Pointer, index: Value) -> Res<Pointer> {
         let parts = self.types().parts(pointer.shape, self.packing(pointer.root))?;
+        if let (None, Some(end)) = (parts.count, pointer.end) {
+            let index = Some(self.index_within(pointer, end, index, parts.stride));
+            return Ok(Pointer { index, shape: parts.part, ..*pointer });
+        }
         let count = match parts.count {
             Some(count) => Count::Fixed(count),
             None => pointer.runtime()?,
@@ -136,9 +157,10 @@ impl<'m> Lowerer<'m> {
     pub(crate) fn array_length(&mut self, frame: &Frame<'m>, array: Handle<Expression>) -> Res<Item> {
         let pointer = frame.pointer(array)?;
         let parts = self.types().parts(pointer.shape, self.packing(pointer.root))?;
-        let length = match parts.count {
-            Some(count) => self.b.u32(count),
-            None => match pointer.runtime()? {
+        let length = match (parts.count, pointer.end) {
+            (Some(count), _) => self.b.u32(count),
+            (None, Some(end)) => self.length_within(&pointer, end, parts.stride),
+            (None, None) => match pointer.runtime()? {
                 Count::Fixed(count) => self.b.u32(count),
                 Count::Runtime { buffer, begin } => {
                     self.b.eval(Op::Length { buffer, begin, stride: parts.stride }, &[])

@@ -179,6 +179,7 @@ impl Builder {
             | Op::Exponent(_)
             | Op::Ldexp(_)
             | Op::Index { .. }
+            | Op::IndexWithin { .. }
             | Op::Length { .. }
             | Op::Load { .. }
             | Op::Mark(..)
@@ -264,6 +265,7 @@ fn errs(op: Op) -> bool {
         | Op::Bitcast(..)
         | Op::Exponent(_)
         | Op::Index { .. }
+        | Op::IndexWithin { .. }
         | Op::Length { .. }
         | Op::Load { .. }
         | Op::Mark(..)

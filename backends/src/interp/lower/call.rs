@@ -149,7 +149,7 @@ impl<'m> Lowerer<'m> {
 
     /// A variable of each lane.
     pub(crate) fn variable(&mut self, shape: Shape, values: Vec<Value>, indexed: bool) -> Res<Pointer> {
-        let pointer = |root| Pointer { root, offset: 0, index: None, shape };
+        let pointer = |root| Pointer { root, offset: 0, index: None, end: None, shape };
         if !indexed && values.len() <= MANY {
             let first = self.variables.len();
             self.variables.extend(values);

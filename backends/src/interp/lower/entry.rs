@@ -3,7 +3,7 @@
 use super::super::buffer::IMMEDIATES;
 use super::super::error::{InterpError, Res};
 use super::super::program::op::Input;
-use super::super::program::{Buffer, Op, Scalar, Value};
+use super::super::program::{Buffer, Content, Op, Scalar, Value};
 use super::frame::{Item, Pointer, Root};
 use super::layout::{Packing, Shape};
 use super::{Lowerer, malformed};
@@ -92,7 +92,8 @@ impl<'m> Lowerer<'m> {
     /// The place of a buffer or workgroup variable; none for what is no memory.
     pub(crate) fn shared(&mut self, handle: Handle<GlobalVariable>) -> Res<Option<Pointer>> {
         let variable = &self.module.module().global_variables[handle];
-        let shape = Shape::Type(variable.ty);
+        let ty = self.bound_type(variable);
+        let shape = Shape::Type(ty);
         let (binding, bytes, writable) = match variable.space {
             AddressSpace::WorkGroup => {
                 let unit = self.workgroup_unit(shape)?;
@@ -100,7 +101,7 @@ impl<'m> Lowerer<'m> {
             }
             AddressSpace::Uniform | AddressSpace::Storage { .. } | AddressSpace::Immediate => {
                 let context = self.module.module().to_ctx();
-                let inner = self.types().inner(variable.ty);
+                let inner = self.types().inner(ty);
                 let bytes = inner.try_size(context).unwrap_or(0);
                 let writable = match variable.space {
                     AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
@@ -119,10 +120,12 @@ impl<'m> Lowerer<'m> {
         };
         self.b.program.cooperative |= binding.is_none();
         let name = variable.name.clone().unwrap_or_default();
-        let buffer = Buffer { variable: handle, name, binding, bytes, written: false, writable };
+        let array = self.binding_array(handle, Content::Places)?;
+        let content = array.map_or(Content::Variable, Content::Elements);
+        let buffer = Buffer { variable: handle, name, binding, bytes, written: false, writable, content };
         self.b.program.buffers.push(buffer);
         let root = Root::Buffer(self.b.program.buffers.len() as u32 - 1);
-        let pointer = Pointer { root, offset: 0, index: None, shape };
+        let pointer = Pointer { root, offset: 0, index: None, end: None, shape: Shape::Type(variable.ty) };
         self.globals[handle.index()] = Some(pointer);
         Ok(Some(pointer))
     }

@@ -16,9 +16,18 @@ pub(crate) enum Item {
     /// A place in memory.
     Pointer(Pointer),
     /// A texture, of [`super::Program::images`].
-    Image(u32),
+    Image(Choice),
     /// A sampler, of [`super::Program::samplers`].
-    Sampler(u32),
+    Sampler(Choice),
+}
+
+/// A texture or a sampler.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Choice {
+    /// The variable.
+    pub(crate) variable: u32,
+    /// Of a binding array: the number of the element among the dispatch's; `None`: the array itself.
+    pub(crate) element: Option<Value>,
 }
 
 impl Item {
@@ -44,6 +53,8 @@ pub(crate) struct Pointer {
     pub(crate) root: Root,
     pub(crate) offset: u32,
     pub(crate) index: Option<Value>,
+    /// Where the element of a binding array ends that it leads into.
+    pub(crate) end: Option<Value>,
     pub(crate) shape: Shape,
 }
 
@@ -99,7 +110,7 @@ impl<'m> Frame<'m> {
         }
     }
 
-    pub(crate) fn image(&self, expression: Handle<Expression>) -> Res<u32> {
+    pub(crate) fn image(&self, expression: Handle<Expression>) -> Res<Choice> {
         match &self.values[expression.index()] {
             Some(Item::Image(image)) => Ok(*image),
             Some(Item::Values(_) | Item::Pointer(_) | Item::Sampler(_)) => {
@@ -109,7 +120,7 @@ impl<'m> Frame<'m> {
         }
     }
 
-    pub(crate) fn sampler(&self, expression: Handle<Expression>) -> Res<u32> {
+    pub(crate) fn sampler(&self, expression: Handle<Expression>) -> Res<Choice> {
         match &self.values[expression.index()] {
             Some(Item::Sampler(sampler)) => Ok(*sampler),
             Some(Item::Values(_) | Item::Pointer(_) | Item::Image(_)) => {

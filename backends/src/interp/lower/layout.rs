@@ -77,7 +77,7 @@ fn refuse(inner: &TypeInner) -> InterpError {
         TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => "pointers as values",
         TypeInner::Image { .. } | TypeInner::Sampler { .. } => "images and samplers",
         TypeInner::AccelerationStructure { .. } | TypeInner::RayQuery { .. } => "ray queries",
-        TypeInner::BindingArray { .. } => "binding arrays",
+        TypeInner::BindingArray { .. } => "binding arrays as values",
         TypeInner::Array { .. } => "runtime-sized arrays as values",
         TypeInner::Scalar(_) | TypeInner::Vector { .. } | TypeInner::Matrix { .. } | TypeInner::Atomic(_) => {
             "parts of a scalar"
@@ -243,6 +243,14 @@ impl<'m> Types<'m> {
             Ok(naga::proc::IndexableLength::Dynamic) | Err(_) => {
                 Err(unsupported("arrays sized by overrides without a value"))
             }
+        }
+    }
+
+    /// Elements of a binding array; `None`: as many as are bound.
+    pub(crate) fn elements(self, size: ArraySize) -> Res<Option<u32>> {
+        match size {
+            ArraySize::Dynamic => Ok(None),
+            ArraySize::Constant(_) | ArraySize::Pending(_) => self.length(size).map(Some),
         }
     }
 

@@ -7,7 +7,7 @@
 //! - `scan` tells beforehand which variables are indexed and what loops write.
 //! - `frame` is a function being walked: values of its expressions, its variables.
 //! - `control` and `switch` turn statements to structured control flow; `call` enters functions.
-//! - `access` and `memory` resolve pointers; `layout` says where scalars lie.
+//! - `access` and `memory` resolve pointers, `binding` the elements of binding arrays; `layout` says where scalars lie.
 //! - `mark` tells judges what they want to know beside the operations.
 //! - `expression` sends each expression to its family: `constant`, `arithmetic`, `cast`, `relational`, `math`,
 //!   `geometry`, `matrix`, `integer`, `packing`, `texture`.
@@ -18,6 +18,7 @@
 mod access;
 mod arithmetic;
 mod atomic;
+mod binding;
 mod build;
 mod call;
 mod cast;

@@ -2,9 +2,9 @@
 
 use super::super::error::Res;
 use super::super::program::texture::{Operands, Sampling, TextureOp};
-use super::super::program::{Access, Image, Op, Reg, SamplerVariable, Scalar, Stmt, Value};
+use super::super::program::{Access, Content, Image, Op, Reg, SamplerVariable, Scalar, Stmt, Value};
 use super::control::Flow;
-use super::frame::{Frame, Item};
+use super::frame::{Choice, Frame, Item};
 use super::{Lowerer, malformed};
 use crate::texture::Dimension;
 use naga::{
@@ -39,29 +39,28 @@ impl<'m> Lowerer<'m> {
             let place = variable.binding.as_ref().map(|b| (b.group, b.binding));
             place.ok_or(malformed("a texture or sampler has no binding"))
         };
-        let program = &mut self.b.program;
-        match self.module.module().types[variable.ty].inner {
+        let choice = |at: usize| Choice { variable: at as u32, element: None };
+        match *self.types().inner(self.bound_type(variable)) {
             TypeInner::Image { dim, arrayed, class } => {
                 let dimension = dimension(dim, arrayed).ok_or(malformed("there is no such texture array"))?;
-                if let Some(at) = program.images.iter().position(|i| i.variable == handle) {
-                    return Ok(Some(Item::Image(at as u32)));
+                if let Some(at) = self.b.program.images.iter().position(|i| i.variable == handle) {
+                    return Ok(Some(Item::Image(choice(at))));
                 }
-                let image =
-                    Image { variable: handle, name, binding: binding()?, dimension, class, written: false };
-                program.images.push(image);
-                Ok(Some(Item::Image(program.images.len() as u32 - 1)))
+                let array = self.binding_array(handle, Content::Textures)?;
+                let (binding, written) = (binding()?, false);
+                let image = Image { variable: handle, name, binding, dimension, class, written, array };
+                self.b.program.images.push(image);
+                Ok(Some(Item::Image(choice(self.b.program.images.len() - 1))))
             }
             TypeInner::Sampler { comparison } => {
-                if let Some(at) = program.samplers.iter().position(|s| s.variable == handle) {
-                    return Ok(Some(Item::Sampler(at as u32)));
+                if let Some(at) = self.b.program.samplers.iter().position(|s| s.variable == handle) {
+                    return Ok(Some(Item::Sampler(choice(at))));
                 }
-                program.samplers.push(SamplerVariable {
-                    variable: handle,
-                    name,
-                    binding: binding()?,
-                    comparison,
-                });
-                Ok(Some(Item::Sampler(program.samplers.len() as u32 - 1)))
+                let array = self.binding_array(handle, Content::Samplers)?;
+                let (variable, binding) = (handle, binding()?);
+                let sampler = SamplerVariable { variable, name, binding, comparison, array };
+                self.b.program.samplers.push(sampler);
+                Ok(Some(Item::Sampler(choice(self.b.program.samplers.len() - 1))))
             }
             _ => Ok(None),
         }
@@ -98,10 +97,12 @@ impl<'m> Lowerer<'m> {
             } => {
                 let offset = self.offset(frame, offset)?;
                 let gather = gather.map(|channel| channel as u8);
-                let sampling = Sampling { sampler: frame.sampler(sampler)?, offset, gather, clamp_to_edge };
+                let sampler = frame.sampler(sampler)?;
+                let sampling = Sampling { sampler: sampler.variable, offset, gather, clamp_to_edge };
                 let place = some(&frame.data(coordinate)?);
                 let [layer, reference] = [single(array_index)?, single(depth_ref)?];
-                let operands = Operands { place, layer, reference, ..Operands::default() };
+                let sampler = sampler.element;
+                let operands = Operands { place, layer, reference, sampler, ..Operands::default() };
                 (image, TextureOp::Sample(sampling), self.level(frame, level, operands)?)
             }
             _ => return Err(malformed("no texture is read")),
@@ -184,7 +185,7 @@ impl<'m> Lowerer<'m> {
         let layer = array_index.map(|e| frame.single(e)).transpose()?;
         let (place, values) = (some(&frame.data(coordinate)?), some(&frame.data(value)?));
         let image = frame.image(image)?;
-        self.b.program.images[image as usize].written = true;
+        self.b.program.images[image.variable as usize].written = true;
         self.access_texture(
             frame,
             image,
@@ -198,11 +199,13 @@ impl<'m> Lowerer<'m> {
     fn access_texture(
         &mut self,
         frame: &Frame<'m>,
-        image: u32,
+        image: Choice,
         op: TextureOp,
         operands: Operands<Value>,
         to: [Option<Reg>; 4],
     ) -> Res<()> {
+        let operands = Operands { texture: image.element, ..operands };
+        let image = image.variable;
         if self.b.program.images[image as usize].class == ImageClass::External {
             return Err(frame.unsupported("external textures"));
         }

@@ -72,6 +72,7 @@ fn weight(op: Op) -> u32 {
         | Op::Convert(..)
         | Op::Bitcast(..)
         | Op::Index { .. }
+        | Op::IndexWithin { .. }
         | Op::Length { .. }
         | Op::Mark(..)
         | Op::Fused { .. }

@@ -1,6 +1,7 @@
 //! Rewrites of programs, each a file; [`for_lanes`] is their order for the executor on lanes.
 //!
-//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `flatten`, `fold`,
+//! They keep every result, bit for bit. `dead` and `uniform` serve any executor; `within` spells out what `fast` has no
+//! step for; `flatten`, `fold`,
 //! `invariant`, `order`, `elements`, `fuse` and `horner` forget what a judge of decisions wants to know, and are for
 //! speed alone.
 
@@ -14,6 +15,7 @@ mod horner;
 mod invariant;
 mod order;
 mod uniform;
+mod within;
 
 pub(super) use uniform::{Masks, Owner};
 
@@ -23,6 +25,7 @@ use std::collections::HashSet;
 /// Prepares a program for the executor on lanes. `packed` says that a batch may hold several workgroups.
 pub(super) fn for_lanes(program: &mut Program, packed: bool) -> Masks {
     dead::remove(program);
+    within::spell_out(program);
     flatten::flatten(program);
     fold::fold(program);
     common::common(program);

@@ -41,6 +41,7 @@ fn commutes(op: Op) -> bool {
         | Op::Exponent(_)
         | Op::Ldexp(_)
         | Op::Index { .. }
+        | Op::IndexWithin { .. }
         | Op::Length { .. }
         | Op::Mark(..)
         | Op::Load { .. }

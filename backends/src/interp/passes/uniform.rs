@@ -146,6 +146,7 @@ impl Pass<'_> {
             | Op::Ldexp(_)
             | Op::Mark(..)
             | Op::Index { .. }
+            | Op::IndexWithin { .. }
             | Op::Length { .. }
             | Op::Fused { .. }
             | Op::Horner { .. } => false,

@@ -27,6 +27,40 @@ pub(crate) struct Buffer {
     pub(crate) written: bool,
     /// Whether shaders may write it, so that loads depend on when they happen.
     pub(crate) writable: bool,
+    /// What lies in it.
+    pub(crate) content: Content,
+}
+
+/// What lies in a buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Content {
+    /// The variable.
+    Variable,
+    /// All elements of a binding array, one behind the other.
+    Elements(BindingArray),
+    /// Where the elements of a binding array of buffers lie among those of [`Content::Elements`]: of each the first byte, and
+    /// the byte behind the last.
+    Places(BindingArray),
+    /// Which elements of a binding array of textures there are, by number among the dispatch's textures.
+    Textures(BindingArray),
+    /// The same of samplers.
+    Samplers(BindingArray),
+}
+
+/// A variable that stands for several resources.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct BindingArray {
+    /// How many; `None`: as many as are bound.
+    pub(crate) count: Option<u32>,
+    /// The buffer that says where each element is.
+    pub(crate) directory: u32,
+}
+
+impl BindingArray {
+    /// Bytes of an element's entry in the directory of buffers.
+    pub(crate) const PLACE: u32 = 8;
+    /// The same in that of textures and samplers.
+    pub(crate) const NUMBER: u32 = 4;
 }
 
 /// How many elements an index may choose from.

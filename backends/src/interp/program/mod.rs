@@ -22,7 +22,7 @@ pub(crate) mod subgroup;
 pub(crate) mod text;
 pub(crate) mod texture;
 
-pub(crate) use memory::{Buffer, Count, LaneArray, Place};
+pub(crate) use memory::{BindingArray, Buffer, Content, Count, LaneArray, Place};
 pub(crate) use op::{Op, Scalar};
 pub(crate) use subgroup::Subgroup;
 pub(crate) use texture::{Access, Image, SamplerVariable};

@@ -239,6 +239,10 @@ pub(crate) enum Op {
         count: Count,
         stride: u32,
     },
+    /// `args[1] + min(args[0], args[2] - 1) * stride`: of a runtime-sized array in an element of a binding array.
+    IndexWithin {
+        stride: u32,
+    },
     /// Elements of a runtime-sized array.
     Length {
         buffer: u32,
@@ -284,7 +288,7 @@ impl Op {
             | Self::Load { scalar: s, .. } => s,
             Self::Compare(..) | Self::Logic(_) | Self::IsNan(_) | Self::IsInf(_) => Scalar::Bool,
             Self::Exponent(_) => Scalar::I32,
-            Self::Index { .. } | Self::Length { .. } => Scalar::U32,
+            Self::Index { .. } | Self::IndexWithin { .. } | Self::Length { .. } => Scalar::U32,
             Self::Fused { .. } | Self::Horner { .. } => Scalar::F32,
         }
     }
@@ -307,6 +311,7 @@ impl Op {
             | Self::Exponent(_)
             | Self::Ldexp(_)
             | Self::Index { .. }
+            | Self::IndexWithin { .. }
             | Self::Length { .. }
             | Self::Mark(..)
             | Self::Fused { .. }

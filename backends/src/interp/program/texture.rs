@@ -1,6 +1,6 @@
 //! Textures and samplers that programs use, and what they do with them.
 
-use super::{Reg, Update, Value};
+use super::{BindingArray, Reg, Update, Value};
 use crate::texture::Dimension;
 use naga::{GlobalVariable, Handle, ImageClass, Span};
 
@@ -15,6 +15,8 @@ pub(crate) struct Image {
     pub(crate) class: ImageClass,
     /// Whether the program writes it.
     pub(crate) written: bool,
+    /// Whether it stands for several textures.
+    pub(crate) array: Option<BindingArray>,
 }
 
 /// A sampler variable.
@@ -26,6 +28,8 @@ pub(crate) struct SamplerVariable {
     pub(crate) binding: (u32, u32),
     /// Whether it compares.
     pub(crate) comparison: bool,
+    /// Whether it stands for several samplers.
+    pub(crate) array: Option<BindingArray>,
 }
 
 /// A texture operation in the active lanes, one after the other.
@@ -81,6 +85,10 @@ pub(crate) struct Operands<V> {
     pub(crate) reference: Option<V>,
     /// What is stored.
     pub(crate) values: [Option<V>; 4],
+    /// Of a binding array of textures: the number of the element among the dispatch's textures.
+    pub(crate) texture: Option<V>,
+    /// Of a binding array of samplers: the number of the element among the dispatch's samplers.
+    pub(crate) sampler: Option<V>,
 }
 
 impl TextureOp {
@@ -103,6 +111,8 @@ impl<V> Default for Operands<V> {
             gradient: [const { [const { None }; 3] }; 2],
             reference: None,
             values: [const { None }; 4],
+            texture: None,
+            sampler: None,
         }
     }
 }
@@ -119,6 +129,8 @@ impl<V: Copy> Operands<V> {
             gradient: self.gradient.map(|step| step.map(&mut each)),
             reference: each(self.reference),
             values: self.values.map(&mut each),
+            texture: each(self.texture),
+            sampler: each(self.sampler),
         }
     }
 }

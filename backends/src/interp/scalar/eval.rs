@@ -31,6 +31,7 @@ pub(crate) fn eval(op: Op, args: &[u64]) -> Option<u64> {
         // A polynomial's coefficients are the program's.
         Op::Input(..)
         | Op::Index { .. }
+        | Op::IndexWithin { .. }
         | Op::Length { .. }
         | Op::Load { .. }
         | Op::Mark(..)

@@ -51,6 +51,9 @@ FILE is JSON that follows the type (.json: arrays, objects, floats also as \"0x1
 or else the bytes themselves. \
 A buffer that ends in an array without length gets an element for each invocation, 64 at least, and at most 64 MiB.
 
+Elements of a binding array are NAME[INDEX] or GROUP:BINDING[INDEX], in quotes where the shell wants them; \
+NAME alone means all of them.
+
 Routes are TARGET+TRANSLATOR@DRIVER as `lobe doctor` lists them, original@DRIVER (the words of a SPIR-V file), \
 ready (all of these that this machine has), perturbed:SEED (a driver drawn by chance, which takes liberties that are \
 permitted), judge (the interpreter's second opinion, to the bit), interp (compare with none).

@@ -18,7 +18,7 @@ pub(super) struct JobArgs {
     /// Workgroups along each axis [default: 1,1,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
     workgroups: Option<[u32; 3]>,
-    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`) = FILE, zeros, random:SEED, edges:SEED or words:WORD,..
+    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`; of an element of a binding array NAME[INDEX]) = FILE, zeros, random:SEED, edges:SEED or words:WORD,..
     #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED|edges:SEED|words:WORD,..", value_parser = named::<Feed>)]
     inputs: Vec<(String, Feed)>,
     /// What every buffer and texture holds that --input does not name [default: random:0]
@@ -30,6 +30,9 @@ pub(super) struct JobArgs {
     /// Length of a buffer
     #[arg(long = "size", value_name = "NAME=BYTES", value_parser = named::<usize>)]
     sizes: Vec<(String, usize)>,
+    /// Elements of a binding array that does not say how many it has [default: those that are named, 4 at least]
+    #[arg(long = "elements", value_name = "NAME=N", value_parser = named::<u32>)]
+    elements: Vec<(String, u32)>,
     /// Shape of a texture [default: 16 texels along each side, all levels, 4 pictures in an array]
     #[arg(long = "texture", value_name = "NAME=FORMAT:WxHxD[:LAYERS[:LEVELS]]", value_parser = named::<Sketch>)]
     textures: Vec<(String, Sketch)>,
@@ -68,6 +71,7 @@ impl JobArgs {
             usual: self.fill.clone().unwrap_or_else(usual),
             outputs: self.outputs.clone(),
             sizes: self.sizes.clone(),
+            elements: self.elements.clone(),
             textures: self.textures.clone(),
             samplers: self.samplers.clone(),
             within: self.within.clone(),
@@ -97,6 +101,7 @@ impl JobArgs {
             inputs: [common.inputs.clone(), self.inputs].concat(),
             outputs: [common.outputs.clone(), self.outputs].concat(),
             sizes: [common.sizes.clone(), self.sizes].concat(),
+            elements: [common.elements.clone(), self.elements].concat(),
             textures: [common.textures.clone(), self.textures].concat(),
             samplers: [common.samplers.clone(), self.samplers].concat(),
             within: [common.within.clone(), self.within].concat(),

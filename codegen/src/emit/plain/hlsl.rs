@@ -4,7 +4,7 @@ use crate::ValidModule;
 use crate::emit::{EmitError, Target, hlsl};
 use crate::validate::{self, ValidateError};
 use naga::back::hlsl::{BindTarget, Options};
-use naga::{AddressSpace, ResourceBinding, StorageAccess};
+use naga::{AddressSpace, ResourceBinding, StorageAccess, TypeInner};
 
 /// A space that no other resource is in.
 const SPACE: u8 = 254;
@@ -12,6 +12,7 @@ const SPACE: u8 = 254;
 /// The module with its indices kept inside their arrays, and the names of its entry points; it is run by so many
 /// `workgroups`.
 pub(super) fn write(module: &ValidModule, workgroups: [u32; 3]) -> Result<(String, Vec<String>), EmitError> {
+    check_arrays(module.module())?;
     let module = &without_uniforms(module)?;
     let target = BindTarget { space: SPACE, ..BindTarget::default() };
     let settings =
@@ -23,6 +24,23 @@ pub(super) fn write(module: &ValidModule, workgroups: [u32; 3]) -> Result<(Strin
     };
     let lines = text.lines().map(|line| mend(line).unwrap_or_else(|| line.to_owned()));
     Ok((lines.fold(String::new(), |text, line| text + &line + "\n"), names))
+}
+
+/// Refuses binding arrays that naga does not write for Vulkan: it knows no arrays of buffers in HLSL, and takes samplers out
+/// of a heap.
+fn check_arrays(module: &naga::Module) -> Result<(), EmitError> {
+    for (_, variable) in module.global_variables.iter() {
+        let TypeInner::BindingArray { base, .. } = module.types[variable.ty].inner else { continue };
+        let what = match module.types[base].inner {
+            TypeInner::Image { .. } => continue,
+            TypeInner::Sampler { .. } => "samplers, which naga takes out of a heap that Vulkan has not",
+            _ => "buffers, which naga has no HLSL for",
+        };
+        let name = variable.name.as_deref().unwrap_or_default();
+        let message = format!("`{name}` is a binding array of {what}");
+        return Err(EmitError::Writer { target: Target::Hlsl, message });
+    }
+    Ok(())
 }
 
 /// Group and binding of the buffer that a module's immediates are in HLSL: the first that is free behind those of
@@ -78,8 +96,11 @@ fn sampler(line: &str) -> Option<String> {
 fn texel_formats(module: &naga::Module) -> Vec<(String, String)> {
     let formats = module.global_variables.iter().filter_map(|(_, variable)| {
         let binding = variable.binding?;
-        let naga::TypeInner::Image { class: naga::ImageClass::Storage { format, .. }, .. } =
-            module.types[variable.ty].inner
+        let ty = match module.types[variable.ty].inner {
+            TypeInner::BindingArray { base, .. } => base,
+            _ => variable.ty,
+        };
+        let TypeInner::Image { class: naga::ImageClass::Storage { format, .. }, .. } = module.types[ty].inner
         else {
             return None;
         };
@@ -166,6 +187,40 @@ mod tests {
         ];
         assert_eq!(lines(text, "State "), wanted);
         assert_eq!(lines(text, "naga"), Vec::<String>::new());
+    }
+
+    #[test]
+    fn storage_textures_of_an_array_say_it_too() {
+        let text = "
+            enable wgpu_binding_array;
+            @group(0) @binding(1) var a: binding_array<texture_storage_2d<rgba8unorm, write>, 2>;
+            @compute @workgroup_size(1) fn main() { textureStore(a[1], vec2u(), vec4f()); }";
+        let wanted = "[[vk::image_format(\"rgba8\")]] RWTexture2D<unorm float4> a[2] : register(u1);";
+        assert_eq!(lines(text, "RWTexture"), [wanted]);
+    }
+
+    #[test]
+    fn arrays_that_naga_does_not_write_for_vulkan_are_refused() {
+        let refused = |variable: &str, used: &str| {
+            let text = format!(
+                "enable wgpu_binding_array;
+                struct Block {{ value: f32 }}
+                @group(0) @binding(0) var image: texture_2d<f32>;
+                @group(0) @binding(1) {variable}
+                @group(0) @binding(2) var<storage, read_write> out: f32;
+                @compute @workgroup_size(1) fn main() {{ out = {used}; }}"
+            );
+            write(&foreign_wgsl(&text).unwrap(), [1; 3]).unwrap_err().to_string()
+        };
+        let sample = "textureSampleLevel(image, a[1], vec2f(), 0.0).x";
+        for (variable, used, part) in [
+            ("var<storage> a: binding_array<Block, 2>;", "a[1].value", "`a` is a binding array of buffers"),
+            ("var<uniform> a: binding_array<Block, 2>;", "a[1].value", "`a` is a binding array of buffers"),
+            ("var a: binding_array<sampler, 2>;", sample, "`a` is a binding array of samplers"),
+        ] {
+            let said = refused(variable, used);
+            assert!(said.contains(part), "{said}");
+        }
     }
 
     #[test]

@@ -3,7 +3,8 @@
 
 use super::super::super::error::Res;
 use super::super::super::program::{Count, Program};
-use super::super::super::resources::{BoundTexture, Found, Resources};
+use super::super::super::resources::elements::Elements;
+use super::super::super::resources::{BoundTexture, Found, FoundBuffer, FoundImage, Resources};
 use super::super::machine::Bound;
 use super::super::together::BoundImage;
 use crate::interp::Buffer;
@@ -40,33 +41,80 @@ impl Memory {
     }
 }
 
-/// The bytes of a buffer where atomics can use them.
-struct Aligned {
-    index: usize,
-    words: Option<Vec<u64>>,
+/// Bytes where atomics can use them.
+struct Copied {
+    words: Vec<u64>,
+    len: usize,
 }
 
-impl Aligned {
-    fn new(index: usize, buffer: &Buffer) -> Self {
-        let aligned = buffer.data.as_ptr().addr().is_multiple_of(align_of::<u64>());
-        let words = (!aligned).then(|| {
-            let mut padded = buffer.data.clone();
-            padded.resize(buffer.data.len().next_multiple_of(8), 0);
-            padded.as_chunks().0.iter().map(|c| u64::from_ne_bytes(*c)).collect()
-        });
-        Self { index, words }
+impl Copied {
+    fn new(bytes: &[u8]) -> Self {
+        let (whole, rest) = bytes.as_chunks();
+        let mut last = [0; 8];
+        last[..rest.len()].copy_from_slice(rest);
+        let words = whole.iter().chain([&last]).map(|c| u64::from_ne_bytes(*c)).collect();
+        Self { words, len: bytes.len() }
+    }
+
+    fn bound(&mut self) -> Bound {
+        Bound { ptr: self.words.as_mut_ptr().cast(), len: self.len }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        self.words.iter().flat_map(|w| w.to_ne_bytes()).take(self.len).collect()
+    }
+}
+
+/// The memory of one of a program's buffers.
+enum Lent {
+    /// A buffer where it lies.
+    There(usize),
+    /// A buffer that atomics could not use there.
+    Moved(usize, Copied),
+    /// The elements of a binding array, and whether they are written.
+    Elements(Elements, Copied, bool),
+    /// What is only read.
+    Directory(Copied),
+    /// Nothing yet.
+    Own,
+}
+
+impl Lent {
+    fn new(found: FoundBuffer, is_written: bool, buffers: &[Buffer]) -> Self {
+        match found {
+            FoundBuffer::Own => Self::Own,
+            FoundBuffer::One(at) => {
+                let data = &buffers[at].data;
+                let is_aligned = data.as_ptr().addr().is_multiple_of(align_of::<u64>());
+                if is_aligned { Self::There(at) } else { Self::Moved(at, Copied::new(data)) }
+            }
+            FoundBuffer::Elements(elements) => {
+                let bytes = Copied::new(&elements.gather(buffers));
+                Self::Elements(elements, bytes, is_written)
+            }
+            FoundBuffer::Directory(words) => {
+                let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+                Self::Directory(Copied::new(&bytes))
+            }
+        }
     }
 
     fn bound(&mut self, buffers: &mut [Buffer]) -> Bound {
-        let data = &mut buffers[self.index].data;
-        let ptr = self.words.as_mut().map_or(data.as_mut_ptr(), |w| w.as_mut_ptr().cast());
-        Bound { ptr, len: data.len() }
+        match self {
+            Self::There(at) => {
+                let data = &mut buffers[*at].data;
+                Bound { ptr: data.as_mut_ptr(), len: data.len() }
+            }
+            Self::Moved(_, bytes) | Self::Elements(_, bytes, _) | Self::Directory(bytes) => bytes.bound(),
+            Self::Own => Bound { ptr: std::ptr::dangling_mut(), len: 0 },
+        }
     }
 
     fn write_back(self, buffers: &mut [Buffer]) {
-        if let Some(words) = self.words {
-            let bytes = words.iter().flat_map(|w| w.to_ne_bytes());
-            buffers[self.index].data.iter_mut().zip(bytes).for_each(|(to, byte)| *to = byte);
+        match self {
+            Self::Moved(at, bytes) => buffers[at].data.copy_from_slice(&bytes.bytes()),
+            Self::Elements(elements, bytes, true) => elements.scatter(&bytes.bytes(), buffers),
+            Self::There(_) | Self::Elements(_, _, false) | Self::Directory(_) | Self::Own => {}
         }
     }
 }
@@ -78,23 +126,20 @@ pub(super) fn bound(
     body: impl FnOnce(&Memory) -> Res<()>,
 ) -> Res<()> {
     let found = Found::of(program, resources)?;
-    let aligned = |at: &Option<usize>| at.map(|at| Aligned::new(at, &resources.buffers[at]));
-    let mut aligned: Vec<_> = found.buffers.iter().map(aligned).collect();
-    let images = images(resources.textures, &found.images);
-    let bound = |a: &mut Option<Aligned>| match a {
-        Some(a) => a.bound(resources.buffers),
-        None => Bound { ptr: std::ptr::dangling_mut(), len: 0 },
-    };
-    let outcome =
-        body(&Memory { buffers: aligned.iter_mut().map(bound).collect(), images, samplers: found.samplers });
-    aligned.into_iter().flatten().for_each(|a| a.write_back(resources.buffers));
+    let Found { buffers, images: found, samplers } = found;
+    let lent = buffers.into_iter().zip(&program.buffers);
+    let mut lent: Vec<_> = lent.map(|(f, b)| Lent::new(f, b.written, resources.buffers)).collect();
+    let images = images(resources.textures, &found);
+    let buffers = lent.iter_mut().map(|lent| lent.bound(resources.buffers)).collect();
+    let outcome = body(&Memory { buffers, images, samplers });
+    lent.into_iter().for_each(|lent| lent.write_back(resources.buffers));
     outcome
 }
 
 /// The texels of textures, by index.
-fn images(textures: &mut [BoundTexture], found: &[usize]) -> Vec<BoundImage> {
-    let image = |at: &usize| {
-        let texture = &mut textures[*at].texture;
+fn images(textures: &mut [BoundTexture], found: &[FoundImage]) -> Vec<BoundImage> {
+    let image = |found: &FoundImage| {
+        let texture = &mut textures[found.at].texture;
         let shape = texture.shape();
         let bytes = texture.bytes_mut();
         BoundImage { shape, ptr: bytes.as_mut_ptr(), len: bytes.len() }

@@ -65,7 +65,10 @@ impl Targets<'_> {
 
 /// What is neither load nor input nor address.
 fn operation(op: Op) -> bool {
-    !matches!(op, Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. })
+    !matches!(
+        op,
+        Op::Input(..) | Op::Index { .. } | Op::IndexWithin { .. } | Op::Length { .. } | Op::Load { .. }
+    )
 }
 
 /// The operation in place on a register, and its other operands.

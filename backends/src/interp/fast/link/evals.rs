@@ -25,6 +25,8 @@ impl<const N: usize> Linker<'_, N> {
                 self.address(eval, count, stride, d);
                 Ok(())
             }
+            // `within` has spelt it out.
+            Op::IndexWithin { .. } => Err(self.refuse(format!("{:?}", eval.op))),
             Op::Length { buffer, begin, stride } => {
                 let run = memory::length(self.isa);
                 self.insts.push(Inst { run, d, s: [0; 4], n: [buffer, begin, stride] });

@@ -85,7 +85,9 @@ pub(super) fn find<const N: usize>(op: Op, ask: Ask) -> Option<Found<N>> {
         Op::Fused { first, second, flipped } => Some(fused::find(first, second, flipped, ask)),
         Op::Horner { count, begun, .. } => Some(horner::find(count, begun, ask)),
         // `memory` and `control` link these.
-        Op::Input(..) | Op::Index { .. } | Op::Length { .. } | Op::Load { .. } => None,
+        Op::Input(..) | Op::Index { .. } | Op::IndexWithin { .. } | Op::Length { .. } | Op::Load { .. } => {
+            None
+        }
         // For judges.
         Op::Mark(..) => None,
         Op::Float(_, _) => None,

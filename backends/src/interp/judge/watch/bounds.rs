@@ -19,10 +19,33 @@ impl Watch {
         (count, stride): (Count, u32),
         index: Value,
     ) -> Res<()> {
-        let (scalar, count) = (m.program.scalar(index), m.count(count, stride));
-        let words = m.words(index)?;
+        let count = m.count(count, stride);
+        self.number(m, at, index, |_| count)
+    }
+
+    /// The same in an array that has `count` elements.
+    pub(super) fn index_within<M: Model>(
+        &mut self,
+        m: &Machine<'_, M>,
+        at: Span,
+        index: Value,
+        count: Value,
+    ) -> Res<()> {
+        let count = m.words(count)?;
+        self.number(m, at, index, |lane| m.model.word_value(count.at(lane)))
+    }
+
+    /// Looks at an index that leads into so many elements in each lane.
+    fn number<M: Model>(
+        &mut self,
+        m: &Machine<'_, M>,
+        at: Span,
+        index: Value,
+        count: impl Fn(usize) -> u64,
+    ) -> Res<()> {
+        let (scalar, words) = (m.program.scalar(index), m.words(index)?);
         for lane in m.flow.active.lanes() {
-            let number = integer::number(m.model.word_value(words.at(lane)), scalar);
+            let (number, count) = (integer::number(m.model.word_value(words.at(lane)), scalar), count(lane));
             if !(0..i128::from(count)).contains(&number) {
                 let message = || format!("index {number} of {count} elements");
                 self.report(m, (Fault::OutOfBounds, at), lane, message);
@@ -33,9 +56,10 @@ impl Watch {
 
     /// The place of a texel in each lane.
     pub(super) fn texels<M: Model>(&mut self, m: &Machine<'_, M>, access: &Access) -> Res<()> {
-        let shape = m.images[access.image as usize].texture.shape();
         for lane in m.flow.active.lanes() {
-            if let Some(at) = astray(shape, access.op, &m.texture_operands(access, lane)?) {
+            let operands = m.texture_operands(access, lane)?;
+            let shape = m.image(access, &operands)?.texture.shape();
+            if let Some(at) = astray(shape, access.op, &operands) {
                 let message = || format!("{at} of {shape}");
                 self.report(m, (Fault::OutOfBounds, access.at), lane, message);
             }

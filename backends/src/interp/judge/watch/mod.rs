@@ -87,6 +87,7 @@ impl Watch {
     fn operands<M: Model>(&mut self, m: &Machine<'_, M>, eval: &Eval) -> Res<()> {
         match (eval.op, &eval.args[..]) {
             (Op::Index { count, stride }, &[index, ..]) => self.index(m, eval.at, (count, stride), index),
+            (Op::IndexWithin { .. }, &[index, _, count]) => self.index_within(m, eval.at, index, count),
             (Op::Int(scalar, IntOp::Div | IntOp::Rem), &[a, b]) => self.division(m, eval.at, scalar, (a, b)),
             (Op::Load { place, scalar, .. }, _) => self.touch(m, place, scalar, Touch::READ, eval.at),
             _ => Ok(()),

@@ -126,7 +126,12 @@ impl Watch {
 
 fn race<M: Model>(m: &Machine<'_, M>, (buffer, word): (u32, usize), before: &Access, now: &Access) -> String {
     let other = if before.group == now.group { "of the same workgroup" } else { "of another workgroup" };
-    let name = &m.program.buffers[buffer as usize].name;
+    let mut name = m.program.buffers[buffer as usize].name.clone();
+    let mut word = word;
+    if let Some(elements) = &m.shared[buffer as usize].elements {
+        let (element, byte) = elements.element(4 * word);
+        (name, word) = (format!("{name}[{element}]"), byte / 4);
+    }
     format!(
         "it {} word {word} of `{name}`, which invocation {} {other} {} without a barrier between",
         now.touch.verb(),
