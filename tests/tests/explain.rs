@@ -95,7 +95,7 @@ fn higham_s_logarithm_is_named_on_a_driver_that_errs_by_chance() {
             assert!(step.place.as_ref().is_some_and(|p| p.contains("special.rs")));
             assert!(step.rule.starts_with("absolute 4.76837158203125e-7"), "{}", step.rule);
             assert!(
-                step.lines.len() == 3 && step.lines.iter().all(|l| l.text.to_lowercase().contains("log"))
+                step.lines.len() == 4 && step.lines.iter().all(|l| l.text.to_lowercase().contains("log"))
             );
         }
     }
@@ -154,11 +154,11 @@ fn names(from: &'static str, to: &'static str, operation: &str) {
 
 #[test]
 fn an_altered_operation_is_named() {
-    names("(x * 0.5f)", "(x * 0.50001f)", "x * 0.5");
+    names("x * 0.5f;", "x * 0.50001f;", "x * 0.5");
     names("sin(", "cos(", "sin(v.y)");
-    names("- 0.25f)", "+ 0.25f)", "halved(v.x) - 0.25");
-    names("* 0.37f)", "* 0.3700001f)", "sin(v.y) * 0.37");
-    names("> 1f)", "< 1f)", "v.z > 1.0");
+    names("- 0.25f;", "+ 0.25f;", "halved(v.x) - 0.25");
+    names("* 0.37f;", "* 0.3700001f;", "sin(v.y) * 0.37");
+    names("> 1f;", "< 1f;", "v.z > 1.0");
 }
 
 #[test]

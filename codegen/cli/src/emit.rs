@@ -7,6 +7,7 @@ use lobe_codegen::ValidModule;
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::emit::{Host, Options, Target, emit, host, prefixed, reflect, with_entries};
 use lobe_codegen::lower::lower;
+use lobe_codegen::names;
 use std::path::{Path, PathBuf};
 
 /// Invocations in a workgroup of an emitted entry point.
@@ -107,6 +108,9 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     }
     if args.form == Form::Library && args.targets.contains(&Target::Spirv) {
         return usage("SPIR-V has no libraries that Vulkan takes; add --form entry, or take a text target");
+    }
+    if let Err(error) = names::check(&format!("{}x", args.prefix)) {
+        return usage(&format!("--prefix {} begins no name: {error}", args.prefix));
     }
     let n_files = (args.targets.len() + args.hosts.len()) * if args.one_file { 1 } else { n_kernels };
     if args.out.as_os_str() == "-" && n_files != 1 {

@@ -112,7 +112,7 @@ fn names(folder: &Path) -> Vec<String> {
 fn shells_and_man_learn_every_subcommand() {
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let script = assert_holds(&lobe(&["completions", shell]));
-        assert!(script.contains("emit") && script.contains("--prefix"), "{shell}: {script}");
+        assert!(script.contains("emit") && script.contains("prefix"), "{shell}: {script}");
     }
     assert_fails(&lobe(&["completions", "csh"]), 2, &["csh"]);
     let folder = tempfile::tempdir().expect("a folder");
@@ -138,7 +138,11 @@ fn a_prefix_is_before_every_declared_name_and_in_the_command() {
     ] {
         assert!(wgsl.contains(part), "{part}\n{wgsl}");
     }
-    assert_fails(&lobe(&["emit", "erf", "--target", "wgsl", "--prefix", "9", "--out", "-"]), 2, &["9erf"]);
+    assert_fails(
+        &lobe(&["emit", "erf", "--target", "wgsl", "--prefix", "9", "--out", "-"]),
+        2,
+        &["--prefix 9"],
+    );
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn the_same_comes_as_json() {
     let report: Value = serde_json::from_str(&assert_holds(&explain(&arguments))).expect("JSON");
     assert_eq!((&report["schema"], &report["report"]), (&1.into(), &"explain".into()));
     assert_eq!(report["shares"][0]["rust"], "log(u)");
-    assert_eq!(report["shares"][0]["lines"].as_array().map(Vec::len), Some(3));
+    assert_eq!(report["shares"][0]["lines"].as_array().map(Vec::len), Some(4));
     assert_eq!(report["same_bits"], true);
 }
 

@@ -85,7 +85,8 @@ mod tests {
     fn what_is_declared_has_the_prefix_and_nothing_else() {
         let module = prefixed(&from_wgsl(TEXT).unwrap(), "eng_").unwrap();
         for target in Target::TEXTS {
-            let text = emit(&module, target, &Options::default()).unwrap().content;
+            let options = Options { header: false, ..Options::default() };
+            let text = emit(&module, target, &options).unwrap().content;
             let text = text.text().unwrap();
             for name in ["eng_Lobe", "eng_TWO", "eng_twice", "eng_four"] {
                 assert!(text.contains(name), "{target}: {name}\n{text}");

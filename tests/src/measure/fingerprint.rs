@@ -43,8 +43,7 @@ fn fnv(text: &str) -> u64 {
 /// What decides the results of a driver: it and its version, the device, the translator; and the processor,
 /// where that is the device.
 pub(super) fn driver(machine: &Machine, name: &str) -> String {
-    let mut drivers = machine.drivers().iter().chain(machine.gl_drivers());
-    let Some(driver) = drivers.find(|d| d.name == name) else { return "unknown".to_owned() };
+    let Some(driver) = machine.drivers().iter().find(|d| d.name == name) else { return "unknown".to_owned() };
     let mut text = format!("{}, {}", driver.adapter_name, driver.driver_info);
     if driver.is_software {
         let _ = write!(text, ", {}", processor());
@@ -52,10 +51,6 @@ pub(super) fn driver(machine: &Machine, name: &str) -> String {
     let _ = match machine.translators().dxc().map(lobe_backends::translate::Dxc::version) {
         Ok((major, minor)) => write!(text, ", DXC {major}.{minor}"),
         Err(_) => write!(text, ", no DXC"),
-    };
-    let _ = match machine.dawn() {
-        Ok(dawn) => write!(text, ", Dawn {}", dawn.version()),
-        Err(_) => write!(text, ", no Dawn"),
     };
     text
 }

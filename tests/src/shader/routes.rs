@@ -126,7 +126,11 @@ impl Subject<'_> {
             Road::Spirv | Road::WgslNaga | Road::HlslDxc => true,
             // They have faults of their own with shaders of others: only where they are asked for.
             Road::HlslSlang | Road::GlslGlslang => false,
-            Road::WgslTint => self.given.iter().all(|given| !given.is_immediate() && given.is_buffer()),
+            // WebGPU has neither immediates nor binding arrays, and Dawn's device here no textures.
+            Road::WgslTint => self
+                .given
+                .iter()
+                .all(|given| !given.is_immediate() && given.is_buffer() && given.element.is_none()),
             Road::Glsl => false,
         }
     }
