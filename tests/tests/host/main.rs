@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 #[rustfmt::skip]
+#[allow(unused_qualifications, unreachable_pub, missing_docs, dead_code, reason = "as a user's crate gets it")]
 mod generated;
 
 use lobe_backends::gpu::{self, Binding, BindingKind, Gpu, Job, Shader};

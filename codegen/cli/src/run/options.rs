@@ -18,7 +18,7 @@ pub(super) struct JobArgs {
     /// Workgroups along each axis [default: 1,1,1]
     #[arg(long, value_name = "X,Y,Z", value_parser = workgroups)]
     workgroups: Option<[u32; 3]>,
-    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`; of an element of a binding array NAME[INDEX]) = FILE, zeros, random:SEED, edges:SEED or words:WORD,..
+    /// What a buffer or texture holds: NAME (or GROUP:BINDING, or `immediate`; of an element of a binding array `NAME[INDEX]`) = FILE, zeros, random:SEED, edges:SEED or words:WORD,..
     #[arg(long = "input", value_name = "NAME=FILE|zeros|random:SEED|edges:SEED|words:WORD,..", value_parser = named::<Feed>)]
     inputs: Vec<(String, Feed)>,
     /// What every buffer and texture holds that --input does not name [default: random:0]
