@@ -129,13 +129,15 @@ pub fn check(name: &str) -> Result<(), NameError> {
     refuse(name, |_| true)
 }
 
-/// Checks the name of a structure's member; built-in functions do not stand in its way.
+/// Checks the name of a structure's member; built-in functions do not stand in its way, but for `length`.
 ///
 /// # Errors
 /// When some shading language does not let a member be called so.
 pub fn check_member(name: &str) -> Result<(), NameError> {
     check_spelling(name)?;
-    refuse(name, |meaning| !matches!(meaning, Meaning::Function | Meaning::Predeclared))
+    // What is behind a dot and called so is GLSL's number of elements, whatever it stands behind.
+    let is_method = name == "length";
+    refuse(name, |meaning| is_method || !matches!(meaning, Meaning::Function | Meaning::Predeclared))
 }
 
 /// What `name` already means, by language; empty for a free word.
@@ -281,7 +283,8 @@ mod tests {
 
     #[test]
     fn members_may_be_called_as_functions_but_not_as_keywords() {
-        for name in ["length", "distance", "reflect", "lerp"] {
+        assert!(check_member("length").is_err(), "GLSL takes it for the method");
+        for name in ["distance", "reflect", "lerp"] {
             assert!(check(name).is_err() && check_member(name).is_ok(), "{name}");
         }
         for name in ["half", "float3", "sample", "kernel", "uvec2", "double4x3"] {

@@ -36,7 +36,7 @@ pub(super) const HLSL_TYPES: &str = "\
     RasterizerOrderedByteAddressBuffer RasterizerOrderedStructuredBuffer RasterizerOrderedTexture1D \
     RasterizerOrderedTexture1DArray RasterizerOrderedTexture2D RasterizerOrderedTexture2DArray \
     RasterizerOrderedTexture3D RayDesc RayQuery RaytracingAccelerationStructure SamplerComparisonState \
-    SamplerState StructuredBuffer Texture1D Texture1DArray Texture2D Texture2DArray Texture2DMS \
+    SamplerState StructuredBuffer SubpassInput SubpassInputMS Texture1D Texture1DArray Texture2D Texture2DArray Texture2DMS \
     Texture2DMSArray Texture3D TextureBuffer TextureCube TextureCubeArray TriangleStream matrix vector";
 
 /// Intrinsic functions of HLSL.

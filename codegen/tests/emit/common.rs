@@ -16,7 +16,7 @@ struct Sg {
     log_amplitude: f32,
 }
 
-struct Frame { thin: mat3x2<f32>, wide: mat3x3<f32>, product: array<f32, 3>, length: f32 }
+struct Frame { thin: mat3x2<f32>, wide: mat3x3<f32>, product: array<f32, 3>, distance: f32 }
 
 /// Twice π.
 const TWO_PI: f32 = 6.2831855;
@@ -62,7 +62,7 @@ fn total(count: u32, values: array<f32, 4>) -> f32 {
 
 fn framed(f: Frame, k: f32) -> Frame {
     var g = f;
-    g.thin[1] = vec2<f32>(k, g.length);
+    g.thin[1] = vec2<f32>(k, g.distance);
     g.product[2] = total(2u, array<f32, 4>(k, k, k, k));
     return Frame(g.thin, g.wide * k, g.product, k);
 }

@@ -73,6 +73,9 @@ fn is_pure(line: &str, module: &Module, marks: &Marks) -> bool {
 }
 
 fn count(line: &str, name: &str) -> usize {
+    if !line.contains(name) {
+        return 0;
+    }
     scan::pieces(line).iter().filter(|p| p.kind == PieceKind::Word && p.text == name).count()
 }
 

@@ -7,6 +7,7 @@
 //! take `a < b, c > d` for a template), `&&` beside `||`, and a minus sign behind an operator.
 
 use crate::emit::scan::{self, Piece, PieceKind};
+use std::collections::HashSet;
 
 /// How tightly what stands between parentheses, or the operator beside them, binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,13 +37,27 @@ pub(super) fn without(text: &str) -> String {
     let mut text = text.to_owned();
     loop {
         let pieces = scan::pieces(&text);
-        let pairs = pairs(&pieces);
-        let Some((open, close)) = pairs.into_iter().find(|&(o, c)| is_idle(&pieces, o, c)) else {
+        let idle = idle(&pieces);
+        if idle.is_empty() {
             return text;
-        };
-        let kept = pieces.iter().enumerate().filter(|(i, _)| *i != open && *i != close);
+        }
+        let kept = pieces.iter().enumerate().filter(|(i, _)| !idle.contains(i));
         text = kept.map(|(_, p)| p.text).collect();
     }
+}
+
+/// The parentheses that change nothing, none of them within others: what is left out decides about what is around it.
+fn idle(pieces: &[Piece<'_>]) -> HashSet<usize> {
+    let mut found = HashSet::new();
+    let mut last = None;
+    for (open, close) in pairs(pieces) {
+        // Pairs come by their ends, so one that holds another begins before the end of that.
+        if last.is_none_or(|last| open > last) && is_idle(pieces, open, close) {
+            found.extend([open, close]);
+            last = Some(close);
+        }
+    }
+    found
 }
 
 /// The parentheses that group: those of calls, declarations and conditions are not among them. Inner ones come first.
