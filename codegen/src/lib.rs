@@ -2,7 +2,8 @@
 //!
 //! A kernel is an ordinary Rust function under `#[kernel]`.
 //! It stays callable; beside it stands a definition ([`def`]) that [`lower`](mod@lower) turns into a
-//! naga module, [`validate`] accepts, and [`emit`] writes as WGSL, SPIR-V or HLSL.
+//! naga module, [`validate`] accepts, and [`emit`] writes as WGSL, SPIR-V, HLSL, GLSL or MSL; [`package`] makes a
+//! folder of it that an engine takes.
 //!
 //! Read first: [`def`] (what the macro writes down), [`intrinsics`] (the one table of operations),
 //! [`module`] (what the executors take).
@@ -23,6 +24,7 @@ pub mod lower;
 pub mod math;
 pub mod module;
 pub mod names;
+pub mod package;
 pub mod prelude;
 pub mod scope;
 pub mod source;

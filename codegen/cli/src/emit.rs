@@ -8,6 +8,7 @@ use lobe_codegen::def::FunctionRef;
 use lobe_codegen::emit::{Host, Options, Target, emit, host, prefixed, reflect, with_entries};
 use lobe_codegen::lower::lower;
 use lobe_codegen::names;
+use lobe_codegen::package::{Package, package};
 use std::path::{Path, PathBuf};
 
 /// Invocations in a workgroup of an emitted entry point.
@@ -23,8 +24,11 @@ pub(crate) struct Args {
     #[arg(long)]
     all: bool,
     /// Language: wgsl, spirv, hlsl, glsl, essl or msl; more than one may be given
-    #[arg(long = "target", value_name = "TARGET", required = true)]
+    #[arg(long = "target", value_name = "TARGET", required_unless_present = "package")]
     targets: Vec<Target>,
+    /// Write a folder that an engine takes as it is, with an example, in place of single files
+    #[arg(long, value_name = "ENGINE", value_enum, conflicts_with_all = ["targets", "form", "one_file", "hosts", "no_docs", "no_reflection"])]
+    package: Option<PackageName>,
     /// Functions to include, or a complete compute shader for each kernel
     #[arg(long, value_enum, default_value_t = Form::Library)]
     form: Form,
@@ -34,9 +38,10 @@ pub(crate) struct Args {
     /// Folder to write into, made if it is missing; `-` writes one kernel and target to standard output
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
-    /// Put this before every name that is declared: of functions, structures, constants, buffers and entry points
-    #[arg(long, default_value = "")]
-    prefix: String,
+    /// Put this before every name that is declared: of functions, structures, constants, buffers and entry points;
+    /// packages for Unity, Unreal and Godot have `lobe_` unless something else is said
+    #[arg(long)]
+    prefix: Option<String>,
     /// Write structures for a host too, laid out as shaders read them; more than one language may be given
     #[arg(long = "host", value_name = "LANGUAGE", value_enum)]
     hosts: Vec<HostLanguage>,
@@ -48,6 +53,13 @@ pub(crate) struct Args {
     no_reflection: bool,
 }
 
+impl Args {
+    /// What stands before names; nothing unless it was asked for.
+    fn prefix(&self) -> &str {
+        self.prefix.as_deref().unwrap_or_default()
+    }
+}
+
 /// What an artifact is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Form {
@@ -55,6 +67,33 @@ pub(crate) enum Form {
     Library,
     /// A complete compute shader that applies the kernel to rows of buffers
     Entry,
+}
+
+/// An engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum PackageName {
+    /// Folders by language, and structures for hosts
+    Plain,
+    /// A module for naga_oil
+    Bevy,
+    /// A package of the package manager
+    Unity,
+    /// `.ush`
+    Unreal,
+    /// `.gdshaderinc`
+    Godot,
+}
+
+impl From<PackageName> for Package {
+    fn from(name: PackageName) -> Self {
+        match name {
+            PackageName::Plain => Self::Plain,
+            PackageName::Bevy => Self::Bevy,
+            PackageName::Unity => Self::Unity,
+            PackageName::Unreal => Self::Unreal,
+            PackageName::Godot => Self::Godot,
+        }
+    }
 }
 
 /// A language that hosts are written in.
@@ -86,7 +125,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let kernels = select::kernels(&args.kernels)?;
     check_usage(args, kernels.len())?;
     let mut files = Vec::new();
-    if args.one_file {
+    if let Some(name) = args.package {
+        files = package_of(args, name.into(), &kernels)?;
+    } else if args.one_file {
         files_of(args, "lobe", &kernels, &mut files)?;
     } else {
         for kernel in &kernels {
@@ -109,8 +150,11 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     if args.form == Form::Library && args.targets.contains(&Target::Spirv) {
         return usage("SPIR-V has no libraries that Vulkan takes; add --form entry, or take a text target");
     }
-    if let Err(error) = names::check(&format!("{}x", args.prefix)) {
-        return usage(&format!("--prefix {} begins no name: {error}", args.prefix));
+    if let Err(error) = names::check(&format!("{}x", args.prefix())) {
+        return usage(&format!("--prefix {} begins no name: {error}", args.prefix()));
+    }
+    if args.package.is_some() && args.out.as_os_str() == "-" {
+        return usage("a package is a folder; name one with --out");
     }
     let n_files = (args.targets.len() + args.hosts.len()) * if args.one_file { 1 } else { n_kernels };
     if args.out.as_os_str() == "-" && n_files != 1 {
@@ -119,9 +163,17 @@ fn check_usage(args: &Args, n_kernels: usize) -> Result<(), Fail> {
     Ok(())
 }
 
+/// The files of a package.
+fn package_of(args: &Args, kind: Package, kernels: &[FunctionRef]) -> Result<Vec<File>, Fail> {
+    let names: Vec<String> = kernels.iter().map(|k| k().name.to_owned()).collect();
+    let prefix = args.prefix.as_deref().unwrap_or(kind.prefix());
+    let files = package(&lower(kernels)?, &names, kind, prefix)?;
+    Ok(files.into_iter().map(|f| File { name: f.path, bytes: f.text.into_bytes() }).collect())
+}
+
 /// The sources of `kernels` in every target, and their description.
 fn files_of(args: &Args, stem: &str, kernels: &[FunctionRef], files: &mut Vec<File>) -> Result<(), Fail> {
-    let module = match args.prefix.as_str() {
+    let module = match args.prefix() {
         "" => module(args.form, kernels)?,
         prefix => prefixed(&module(args.form, kernels)?, prefix)?,
     };
@@ -150,8 +202,8 @@ fn command(args: &Args, target: Target, names: &[String]) -> String {
     if args.form == Form::Entry {
         command.push_str(" --form entry");
     }
-    if !args.prefix.is_empty() {
-        command.push_str(&format!(" --prefix {}", args.prefix));
+    if !args.prefix().is_empty() {
+        command.push_str(&format!(" --prefix {}", args.prefix()));
     }
     if args.no_docs {
         command.push_str(" --no-docs");
@@ -176,6 +228,8 @@ fn write_all(folder: &Path, files: &[File]) -> Result<(), Fail> {
     std::fs::create_dir_all(folder).map_err(|cause| Fail::Write { path: folder.to_owned(), cause })?;
     for file in files {
         let path = folder.join(&file.name);
+        let inner = path.parent().unwrap_or(folder);
+        std::fs::create_dir_all(inner).map_err(|cause| Fail::Write { path: inner.to_owned(), cause })?;
         output::write_file(&path, &file.bytes)?;
         output::print(&format!("{} ({} bytes)\n", path.display(), file.bytes.len()))?;
     }

@@ -146,6 +146,26 @@ fn a_prefix_is_before_every_declared_name_and_in_the_command() {
 }
 
 #[test]
+fn a_package_is_a_folder_for_an_engine() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    for (engine, path, part) in [
+        ("plain", "glsl/lobe.glsl", "float sg_eval(vec3 dir, Sg sg)"),
+        ("bevy", "assets/shaders/lobe.wgsl", "#define_import_path lobe"),
+        ("unity", "ShaderLibrary/Lobe.hlsl", "float lobe_sg_eval(float3 dir, lobe_Sg sg)"),
+        ("unreal", "Shaders/Lobe.ush", "#pragma once"),
+        ("godot", "lobe/lobe.gdshaderinc", "float lobe_sg_eval(vec3 dir, lobe_Sg sg)"),
+    ] {
+        let written = assert_holds(&lobe(&["emit", "sg_eval", "--package", engine, "--out", out]));
+        assert!(written.contains(path) && written.contains("README.md"), "{engine}: {written}");
+        let text = std::fs::read_to_string(folder.path().join(path)).expect("a file");
+        assert!(text.contains(part), "{engine}: {text}");
+    }
+    assert_fails(&lobe(&["emit", "sg_eval", "--package", "unity", "--out", "-"]), 2, &["folder"]);
+    assert_fails(&lobe(&["emit", "sg_eval", "--package", "unity", "--target", "wgsl"]), 2, &["--target"]);
+}
+
+#[test]
 fn one_kernel_goes_to_standard_output_and_two_do_not() {
     let wgsl = assert_holds(&lobe(&["emit", "erf", "--target", "wgsl", "--out", "-"]));
     assert!(wgsl.contains("fn erf(x: f32) -> f32"), "{wgsl}");

@@ -43,6 +43,7 @@ pub use entry::{EntryLayout, with_entries, with_entry};
 pub use host::{Host, host};
 pub use plain::{Plain, immediates_in_hlsl, plain};
 pub use prefix::prefixed;
+pub(crate) use prefix::{spelt, without_last_digits};
 pub use reflect::{Reflection, reflect};
 
 use crate::ValidModule;

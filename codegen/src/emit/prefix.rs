@@ -14,28 +14,66 @@ use std::collections::HashMap;
 /// # Errors
 /// When the result is not valid. Whether its names are portable, [`super::emit`] says.
 pub fn prefixed(module: &ValidModule, prefix: &str) -> Result<ValidModule, EmitError> {
+    renamed(module, false, &|name| format!("{prefix}{name}"))
+}
+
+/// The module whose names that end in a digit have it spelt: `f0` is `f_zero`, members too.
+///
+/// For naga_oil, which refuses them where they can be imported.
+///
+/// # Errors
+/// As of [`prefixed`].
+pub(crate) fn without_last_digits(module: &ValidModule) -> Result<ValidModule, EmitError> {
+    renamed(module, true, &spelt)
+}
+
+/// The name with its last digit in letters, if it ends in one.
+pub(crate) fn spelt(name: &str) -> String {
+    const DIGITS: [&str; 10] =
+        ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
+    match name.chars().last().and_then(|last| last.to_digit(10)) {
+        Some(digit) => {
+            let letters = DIGITS[digit as usize];
+            let is_upper = name.chars().any(|c| c.is_ascii_uppercase()) && name == name.to_uppercase();
+            let letters = if is_upper { letters.to_uppercase() } else { letters.to_owned() };
+            format!("{}_{letters}", name[..name.len() - 1].trim_end_matches('_'))
+        }
+        None => name.to_owned(),
+    }
+}
+
+/// The module with other names, of members too if `with_members`.
+fn renamed(
+    module: &ValidModule,
+    with_members: bool,
+    of: &dyn Fn(&str) -> String,
+) -> Result<ValidModule, EmitError> {
     let mut renamed = module.module().clone();
     let mut names = HashMap::new();
     let mut rename = |name: &mut String| {
-        let new = format!("{prefix}{name}");
+        let new = of(name);
         names.insert(std::mem::replace(name, new.clone()), new);
     };
-    rename_types(&mut renamed, &mut rename);
+    rename_types(&mut renamed, with_members, &mut rename);
     renamed.constants.iter_mut().filter_map(|(_, c)| c.name.as_mut()).for_each(&mut rename);
     renamed.global_variables.iter_mut().filter_map(|(_, g)| g.name.as_mut()).for_each(&mut rename);
     renamed.functions.iter_mut().filter_map(|(_, f)| f.name.as_mut()).for_each(&mut rename);
     renamed.entry_points.iter_mut().map(|e| &mut e.name).for_each(&mut rename);
     rename_in_docs(&mut renamed, &names);
     validate::validate(renamed, module.meta().clone())
-        .map_err(|e| EmitError::Entry { function: prefix.to_owned(), reason: e.to_string() })
+        .map_err(|e| EmitError::Entry { function: "the renamed module".to_owned(), reason: e.to_string() })
 }
 
-fn rename_types(module: &mut Module, rename: &mut impl FnMut(&mut String)) {
+fn rename_types(module: &mut Module, with_members: bool, rename: &mut impl FnMut(&mut String)) {
     let mut types = UniqueArena::new();
     for (handle, ty) in module.types.iter() {
         let mut ty = ty.clone();
-        if matches!(ty.inner, TypeInner::Struct { .. }) && !is_predeclared(module, handle) {
+        if let TypeInner::Struct { members, .. } = &mut ty.inner
+            && !is_predeclared(module, handle)
+        {
             ty.name.as_mut().into_iter().for_each(&mut *rename);
+            let names = members.iter_mut().filter_map(|member| member.name.as_mut());
+            names.filter(|_| with_members).for_each(&mut *rename);
         }
         // No two types were equal, and none became so: each gets the handle it had.
         types.insert(ty, module.types.get_span(handle));
@@ -104,6 +142,19 @@ mod tests {
             with_names("twice: `2 twice(x)`, `twice_x`", &names),
             "twice: `2 eng_twice(x)`, `twice_x`"
         );
+    }
+
+    #[test]
+    fn last_digits_are_spelt() {
+        for (name, expected) in [
+            ("f0", "f_zero"),
+            ("F0", "F_ZERO"),
+            ("x12", "x1_two"),
+            ("LN_2", "LN_TWO"),
+            ("expm1_of", "expm1_of"),
+        ] {
+            assert_eq!(spelt(name), expected);
+        }
     }
 
     #[test]

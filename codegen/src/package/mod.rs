@@ -1,0 +1,158 @@
+//! Kernels as a folder that an engine takes as it is: the shader in the engine's language, under names that do not
+//! clash with the engine's, with an example and the way to use it.
+//!
+//! | package | engine | file | names |
+//! |---|---|---|---|
+//! | `plain` | any | each language in a folder of its own, structures for hosts | as declared |
+//! | `bevy` | Bevy | WGSL, a module of naga_oil | as declared, within `lobe::`; a last digit is spelt, `f0` as `f_zero` |
+//! | `unity` | Unity | HLSL with an include guard | `lobe_..` |
+//! | `unreal` | Unreal Engine | HLSL (`.ush`) | `lobe_..` |
+//! | `godot` | Godot 4 | its shading language (`.gdshaderinc`) | `lobe_..` |
+//!
+//! Engines define `PI`, `TWO_PI` and their like as macros or constants for every shader; hence the prefix.
+
+mod bevy;
+mod example;
+mod godot;
+mod hlsl;
+mod plain;
+
+use crate::ValidModule;
+use crate::emit::{EmitError, Options, Target, emit, prefixed, reflect, spelt, without_last_digits};
+
+/// An engine's way to take shaders.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Package {
+    /// Folders by language.
+    Plain,
+    /// A module for Bevy's preprocessor, naga_oil.
+    Bevy,
+    /// A package of Unity's package manager.
+    Unity,
+    /// A folder of shaders for Unreal Engine.
+    Unreal,
+    /// An include file for Godot 4.
+    Godot,
+}
+
+impl Package {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Plain, Self::Bevy, Self::Unity, Self::Unreal, Self::Godot];
+
+    /// Its name: `plain`, `bevy`, `unity`, `unreal`, `godot`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Bevy => "bevy",
+            Self::Unity => "unity",
+            Self::Unreal => "unreal",
+            Self::Godot => "godot",
+        }
+    }
+
+    /// What it calls a kernel.
+    pub fn name_of(self, name: &str) -> String {
+        match self {
+            Self::Bevy => spelt(name),
+            Self::Plain | Self::Unity | Self::Unreal | Self::Godot => name.to_owned(),
+        }
+    }
+
+    /// What stands before its names unless something else is asked for.
+    pub fn prefix(self) -> &'static str {
+        match self {
+            Self::Plain | Self::Bevy => "",
+            Self::Unity | Self::Unreal | Self::Godot => "lobe_",
+        }
+    }
+}
+
+/// A file of a package.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PackageFile {
+    /// Where it lies, with `/` between folders.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The package of the library `module`, whose kernels are called `kernels`; every name of it begins with `prefix`.
+///
+/// # Errors
+/// When a name is not portable, or a language cannot express the module.
+pub fn package(
+    module: &ValidModule,
+    kernels: &[String],
+    package: Package,
+    prefix: &str,
+) -> Result<Vec<PackageFile>, EmitError> {
+    let module = if prefix.is_empty() { module.clone() } else { prefixed(module, prefix)? };
+    let module = if package == Package::Bevy { without_last_digits(&module)? } else { module };
+    let contents = Contents {
+        prefixed: kernels.iter().map(|name| package.name_of(&format!("{prefix}{name}"))).collect(),
+        command: command(kernels, package, prefix),
+        module: &module,
+    };
+    match package {
+        Package::Plain => plain::files(&contents),
+        Package::Bevy => bevy::files(&contents),
+        Package::Unity => hlsl::unity(&contents),
+        Package::Unreal => hlsl::unreal(&contents),
+        Package::Godot => godot::files(&contents),
+    }
+}
+
+/// The command that writes a package again.
+fn command(kernels: &[String], package: Package, prefix: &str) -> String {
+    let prefix = if prefix == package.prefix() { String::new() } else { format!(" --prefix {prefix}") };
+    match kernels {
+        few if few.len() <= 4 => {
+            format!("lobe emit --package {}{prefix} {}", package.name(), few.join(" "))
+        }
+        _ => format!("lobe emit --package {}{prefix} ..", package.name()),
+    }
+}
+
+/// What goes into a package.
+struct Contents<'a> {
+    /// The library, under the package's names.
+    module: &'a ValidModule,
+    /// The names of its kernels.
+    prefixed: Vec<String>,
+    /// The command that writes it.
+    command: String,
+}
+
+impl Contents<'_> {
+    /// The library in a language.
+    fn library(&self, target: Target) -> Result<String, EmitError> {
+        let options = Options {
+            kernels: self.prefixed.clone(),
+            command: Some(self.command.clone()),
+            ..Options::default()
+        };
+        Ok(emit(self.module, target, &options)?.content.text().unwrap_or_default().to_owned())
+    }
+
+    /// Its description.
+    fn reflection(&self) -> Result<String, EmitError> {
+        let json = reflect(self.module).to_json();
+        json.map_err(|e| EmitError::Entry { function: "the description".to_owned(), reason: e.to_string() })
+    }
+
+    /// A page that says what lies here and how it is used.
+    fn readme(&self, title: &str, usage: &str) -> PackageFile {
+        let kernels: String = self.prefixed.iter().map(|name| format!("- `{name}`\n")).collect();
+        let text = format!(
+            "# {title}\n\nWritten by Lobe {}; write it again with `{}`.\n\n{usage}\n## Kernels\n\n{kernels}\nEach \
+             function's comment states its source, its arguments, and by how much it may err.\n",
+            env!("CARGO_PKG_VERSION"),
+            self.command
+        );
+        file("README.md", text)
+    }
+}
+
+fn file(path: &str, text: impl Into<String>) -> PackageFile {
+    PackageFile { path: path.to_owned(), text: text.into() }
+}
