@@ -2,7 +2,8 @@
 
 mod common;
 
-use lobe_backends::translate::{Dawn, Dxc, DxcOutput, Glslang, Tint, TranslateError};
+use common::tool;
+use lobe_backends::translate::{Dawn, Dxc, DxcOutput, Glslang, Tint};
 use lobe_codegen::ValidModule;
 use lobe_codegen::emit::{Options, Target, emit};
 use lobe_codegen::names;
@@ -66,18 +67,6 @@ fn rename_members(module: &mut Module, names: &[String]) {
 fn written(module: &ValidModule, target: Target) -> String {
     let artifact = emit(module, target, &Options::default()).unwrap_or_else(|e| panic!("{target}: {e}"));
     artifact.content.text().expect("text").to_owned()
-}
-
-/// What a tool says, or that it is not here.
-fn tool<T>(found: Result<T, TranslateError>) -> Option<T> {
-    match found {
-        Ok(found) => Some(found),
-        Err(TranslateError::NotFound { tool, .. }) => {
-            common::skip(tool, "run tests/setup.sh");
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
 }
 
 fn free_names() -> (Vec<String>, Vec<String>) {

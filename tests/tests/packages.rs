@@ -2,7 +2,8 @@
 
 mod common;
 
-use lobe_backends::translate::{Dxc, DxcOutput, Glslang, TranslateError};
+use common::tool;
+use lobe_backends::translate::{Dxc, DxcOutput, Glslang};
 use lobe_codegen::package::{Package, PackageFile, package};
 use lobe_kernels::registry::KERNELS;
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor, ShaderType};
@@ -21,18 +22,6 @@ fn files(kind: Package) -> Vec<PackageFile> {
 fn text<'a>(files: &'a [PackageFile], path: &str) -> &'a str {
     let found = files.iter().find(|file| file.path == path);
     found.map(|file| file.text.as_str()).unwrap_or_else(|| panic!("no {path}"))
-}
-
-/// What a tool says, or that it is not here.
-fn tool<T>(found: Result<T, TranslateError>) -> Option<T> {
-    match found {
-        Ok(found) => Some(found),
-        Err(TranslateError::NotFound { tool, .. }) => {
-            common::skip(tool, "run tests/setup.sh");
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
 }
 
 /// The text with each line that includes a file replaced by `of` that file.

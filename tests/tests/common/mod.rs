@@ -5,6 +5,7 @@ pub(crate) mod browser;
 
 use lobe_backends::executor::{ExecError, Executor, Interp, Native, Program};
 use lobe_backends::route::Route;
+use lobe_backends::translate::TranslateError;
 use lobe_codegen::accuracy::Model;
 use lobe_codegen::data::Columns;
 use lobe_codegen::def::FunctionRef;
@@ -73,6 +74,19 @@ impl Executor for Spoilt {
         let mut output = Native.run(kernel, args)?;
         (self.spoil)(&mut output);
         Ok(output)
+    }
+}
+
+/// A tool, or that it is not here.
+#[track_caller]
+pub(crate) fn tool<T>(found: Result<T, TranslateError>) -> Option<T> {
+    match found {
+        Ok(found) => Some(found),
+        Err(TranslateError::NotFound { tool, mend, .. }) => {
+            skip(tool, mend);
+            None
+        }
+        Err(error) => panic!("{error}"),
     }
 }
 
