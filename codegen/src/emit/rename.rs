@@ -6,7 +6,7 @@ use super::scan::{Piece, PieceKind};
 use super::scope::{self, Taken};
 use super::{Target, docs};
 use naga::{Function, Module};
-use std::collections::{HashMap, HashSet};
+use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
 
 /// Renames the items of one text.
 pub(super) struct Renamer<'a> {
@@ -54,7 +54,7 @@ impl<'a> Renamer<'a> {
         let locals = scope::locals(pieces, self.marks, self.body(defines), &self.taken);
         self.check_hidden(pieces, &locals)?;
         let mut text = String::new();
-        let mut documented = HashSet::new();
+        let mut documented = HashSet::default();
         for piece in pieces {
             if with_docs
                 && let Some(Role::Struct(_)) = defines
@@ -106,8 +106,8 @@ impl<'a> Renamer<'a> {
 
     /// Refuses an item in which one name means two things.
     fn check_hidden(&self, pieces: &[Piece<'_>], locals: &HashMap<&str, String>) -> Result<(), ClashError> {
-        let mut meanings: HashMap<String, &str> = HashMap::new();
-        let mut seen = HashSet::new();
+        let mut meanings: HashMap<String, &str> = HashMap::default();
+        let mut seen = HashSet::default();
         let is_fixed = |p: &Piece<'_>| p.kind == PieceKind::Word && !locals.contains_key(p.text);
         for piece in pieces.iter().filter(|p| is_fixed(p)) {
             if !seen.insert(piece.text) {

@@ -4,7 +4,7 @@ use super::mark::{LENGTH, Marks, Role};
 use super::scan::{Piece, PieceKind};
 use crate::names;
 use naga::{Expression, Function, Handle, Module, TypeInner};
-use std::collections::{HashMap, HashSet};
+use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
 
 /// Names that no local may have: those seen in the whole module, and whatever else the text says.
 pub(super) type Taken = HashSet<String>;
@@ -18,8 +18,8 @@ pub(super) fn locals<'a>(
     taken: &Taken,
 ) -> HashMap<&'a str, String> {
     let mut wanted: Vec<(&'a str, Wish)> = Vec::new();
-    let mut seen = HashSet::new();
-    let mut used = HashSet::new();
+    let mut seen = HashSet::default();
+    let mut used = HashSet::default();
     for piece in item.iter().filter(|p| p.kind == PieceKind::Word && seen.insert(p.text)) {
         if let Some(name) = wish(piece.text, marks, body) {
             wanted.push((piece.text, name));
@@ -27,7 +27,7 @@ pub(super) fn locals<'a>(
             used.insert(mark.exact.clone());
         }
     }
-    let mut out = HashMap::new();
+    let mut out = HashMap::default();
     let is_free = |name: &str, used: &HashSet<String>| {
         !used.contains(name) && !taken.contains(name) && names::check(name).is_ok()
     };

@@ -5,7 +5,7 @@ use super::rename::{Item, Renamer};
 use super::wrap::wrap;
 use super::{EmitError, Options, Target, docs, readable, scan};
 use naga::{Function, Module, Statement};
-use std::collections::HashSet;
+use naga::FastHashSet as HashSet;
 
 /// Makes a writer's text, full of marks, into the one that a user gets.
 pub(super) fn finish(
@@ -97,7 +97,7 @@ fn roots(module: &Module) -> Vec<String> {
     if !module.entry_points.is_empty() {
         return module.entry_points.iter().map(|e| e.name.clone()).collect();
     }
-    let mut called = HashSet::new();
+    let mut called = HashSet::default();
     for (_, function) in module.functions.iter() {
         collect_calls(&function.body, &mut called);
     }

@@ -9,7 +9,7 @@ use crate::emit::mark::{self, Marks, Role};
 use crate::emit::scan::{self, PieceKind};
 use crate::emit::tidy::collect_calls;
 use naga::{Expression, Function, Handle, Module, TypeInner};
-use std::collections::HashSet;
+use naga::FastHashSet as HashSet;
 
 /// The text of `function` with its temporaries in their places.
 pub(super) fn inline(text: &str, module: &Module, function: &Function, marks: &Marks) -> String {
@@ -91,7 +91,7 @@ fn movable(module: &Module, function: &Function) -> HashSet<String> {
         Expression::Load { pointer } => is_local(function, *pointer),
         _ => false,
     };
-    let mut found = HashSet::new();
+    let mut found = HashSet::default();
     for (handle, expression) in function.expressions.iter() {
         if is_free(expression) && !function.named_expressions.contains_key(&handle) {
             found.insert(format!("_e{}", handle.index()));
@@ -116,7 +116,7 @@ fn is_function_of_values(module: &Module, function: Handle<Function>) -> bool {
         !matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. })
     };
     let is_global = |expression: &Expression| matches!(expression, Expression::GlobalVariable(_));
-    let mut called = HashSet::new();
+    let mut called = HashSet::default();
     collect_calls(&function.body, &mut called);
     function.result.is_some()
         && function.arguments.iter().all(|argument| is_value(argument.ty))

@@ -7,7 +7,6 @@
 //! take `a < b, c > d` for a template), `&&` beside `||`, and a minus sign behind an operator.
 
 use crate::emit::scan::{self, Piece, PieceKind};
-use std::collections::HashSet;
 
 /// How tightly what stands between parentheses, or the operator beside them, binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,31 +33,19 @@ type Found = Option<Level>;
 
 /// `text` without the parentheses that change nothing.
 pub(super) fn without(text: &str) -> String {
-    let mut text = text.to_owned();
-    loop {
-        let pieces = scan::pieces(&text);
-        let idle = idle(&pieces);
-        if idle.is_empty() {
-            return text;
+    let mut pieces = scan::pieces(text);
+    // Inner pairs come first: what is left out decides about what is around it.
+    for (open, close) in pairs(&pieces) {
+        if is_idle(&pieces, open, close) {
+            pieces[open] = GONE;
+            pieces[close] = GONE;
         }
-        let kept = pieces.iter().enumerate().filter(|(i, _)| !idle.contains(i));
-        text = kept.map(|(_, p)| p.text).collect();
     }
+    pieces.iter().map(|piece| piece.text).collect()
 }
 
-/// The parentheses that change nothing, none of them within others: what is left out decides about what is around it.
-fn idle(pieces: &[Piece<'_>]) -> HashSet<usize> {
-    let mut found = HashSet::new();
-    let mut last = None;
-    for (open, close) in pairs(pieces) {
-        // Pairs come by their ends, so one that holds another begins before the end of that.
-        if last.is_none_or(|last| open > last) && is_idle(pieces, open, close) {
-            found.extend([open, close]);
-            last = Some(close);
-        }
-    }
-    found
-}
+/// What stands for a parenthesis that is left out.
+const GONE: Piece<'_> = Piece { text: "", kind: PieceKind::Space };
 
 /// The parentheses that group: those of calls, declarations and conditions are not among them. Inner ones come first.
 fn pairs(pieces: &[Piece<'_>]) -> Vec<(usize, usize)> {
@@ -92,8 +79,8 @@ fn is_idle(pieces: &[Piece<'_>], open: usize, close: usize) -> bool {
     let (Some(left), Some(right)) = (left(pieces, open), right(pieces, close)) else { return false };
     let inside = &pieces[open + 1..close];
     let Some(level) = inside_level(inside) else { return false };
-    let begins_with_sign =
-        inside.first().is_some_and(|p| matches!(p.text, "-" | "+" | "!" | "~" | "&" | "*"));
+    let first = inside.iter().find(|piece| !piece.text.is_empty());
+    let begins_with_sign = first.is_some_and(|p| matches!(p.text, "-" | "+" | "!" | "~" | "&" | "*"));
     let is_list = |at: Option<&Piece<'_>>| at.is_some_and(|p| p.text == ",");
     let in_list = is_list(solid_before(pieces, open)) || is_list(solid_after(pieces, close));
     match level {
@@ -124,10 +111,15 @@ fn solid_after<'p, 'a>(pieces: &'p [Piece<'a>], at: usize) -> Option<&'p Piece<'
     pieces[at + 1..].iter().find(|p| p.kind != PieceKind::Space)
 }
 
+/// Whether no blank comes next.
+fn touches<'p, 'a: 'p>(mut pieces: impl Iterator<Item = &'p Piece<'a>>) -> bool {
+    pieces.find(|piece| !piece.text.is_empty()).is_some_and(|piece| piece.kind != PieceKind::Space)
+}
+
 /// The operator on the left of a group.
 fn left(pieces: &[Piece<'_>], open: usize) -> Found {
     let Some(before) = solid_before(pieces, open) else { return Some(Level::Open) };
-    let touches = pieces[open - 1].kind != PieceKind::Space;
+    let touches = touches(pieces[..open].iter().rev());
     match (before.kind, before.text) {
         (PieceKind::Word, "return") | (PieceKind::Mark, "(" | "[" | "," | "{" | ";") => Some(Level::Open),
         (PieceKind::Mark, "=") => equals(pieces, open),
@@ -149,7 +141,7 @@ fn equals(pieces: &[Piece<'_>], open: usize) -> Found {
 /// The operator on the right of a group.
 fn right(pieces: &[Piece<'_>], close: usize) -> Found {
     let Some(after) = solid_after(pieces, close) else { return Some(Level::Open) };
-    let touches = pieces.get(close + 1).is_some_and(|p| p.kind != PieceKind::Space);
+    let touches = touches(pieces[close + 1..].iter());
     match (after.kind, after.text) {
         (PieceKind::Mark, ")" | "]" | "," | ";" | "}" | "{") => Some(Level::Open),
         (PieceKind::Mark, "." | "[") if touches => Some(Level::Primary),
@@ -162,35 +154,43 @@ fn right(pieces: &[Piece<'_>], close: usize) -> Found {
 
 /// The operator between blanks that ends or begins `pieces`.
 fn operator(pieces: &[Piece<'_>], at_end: bool) -> Found {
-    let is_solid = |p: &&Piece<'_>| p.kind == PieceKind::Mark;
-    let blank = |p: &&Piece<'_>| p.kind == PieceKind::Space;
-    let marks: String = match at_end {
-        true => {
-            let marks: Vec<&str> =
-                pieces.iter().rev().skip_while(blank).take_while(is_solid).map(|p| p.text).collect();
-            marks.into_iter().rev().collect()
+    let mut marks = [0; 3];
+    let mut count = 0;
+    let mut take = |piece: &Piece<'_>| {
+        let is_mark = piece.kind == PieceKind::Mark;
+        if is_mark && let (Some(place), Some(&byte)) = (marks.get_mut(count), piece.text.as_bytes().first()) {
+            (*place, count) = (byte, count + 1);
         }
-        false => pieces.iter().skip_while(blank).take_while(is_solid).map(|p| p.text).collect(),
+        is_mark
     };
-    level_of(&marks)
+    let is_blank = |piece: &&Piece<'_>| piece.kind == PieceKind::Space;
+    match at_end {
+        true => pieces.iter().rev().skip_while(is_blank).all(&mut take),
+        false => pieces.iter().skip_while(is_blank).all(&mut take),
+    };
+    let marks = &mut marks[..count];
+    if at_end {
+        marks.reverse();
+    }
+    level_of(marks)
 }
 
-fn level_of(marks: &str) -> Found {
+fn level_of(marks: &[u8]) -> Found {
     match marks {
-        "*" | "/" | "%" => Some(Level::Product),
-        "+" | "-" => Some(Level::Sum),
-        "<" | ">" | "<=" | ">=" | "==" | "!=" => Some(Level::Comparison),
-        "&&" => Some(Level::And),
-        "||" => Some(Level::Or),
-        "?" | ":" => Some(Level::Choice),
-        "" => None,
+        b"*" | b"/" | b"%" => Some(Level::Product),
+        b"+" | b"-" => Some(Level::Sum),
+        b"<" | b">" | b"<=" | b">=" | b"==" | b"!=" => Some(Level::Comparison),
+        b"&&" => Some(Level::And),
+        b"||" => Some(Level::Or),
+        b"?" | b":" => Some(Level::Choice),
+        b"" => None,
         _ => Some(Level::Bits),
     }
 }
 
 /// The loosest operator of what stands between the parentheses.
 fn inside_level(inside: &[Piece<'_>]) -> Found {
-    let first = inside.first()?;
+    let first = inside.iter().find(|piece| !piece.text.is_empty())?;
     let sign = matches!(first.text, "-" | "+" | "!" | "~" | "&" | "*") && first.kind == PieceKind::Mark;
     let mut loosest = if sign { Level::Prefix } else { Level::Primary };
     let mut depth = 0usize;
@@ -199,9 +199,11 @@ fn inside_level(inside: &[Piece<'_>]) -> Found {
             (PieceKind::Mark, "(" | "[" | "{") => depth += 1,
             (PieceKind::Mark, ")" | "]" | "}") => depth = depth.checked_sub(1)?,
             (PieceKind::Mark, "," | ";") if depth == 0 => return None,
+            (PieceKind::Space, "") => {}
             (PieceKind::Space, _) if depth == 0 => {
                 let next = inside.get(i + 1)?;
-                let ends_with_blank = || inside[i + 1..].iter().find(|p| p.kind != PieceKind::Mark);
+                let is_else = |p: &&Piece<'_>| p.kind != PieceKind::Mark && !p.text.is_empty();
+                let ends_with_blank = || inside[i + 1..].iter().find(is_else);
                 let is_operator = next.kind == PieceKind::Mark
                     && !matches!(next.text, "(" | "[" | "{")
                     && ends_with_blank().is_some_and(|p| p.kind == PieceKind::Space);
