@@ -5,8 +5,8 @@ use super::mark::{LENGTH, Mark, Marks, PREFIX, Role};
 use super::scan::{Piece, PieceKind};
 use super::scope::{self, Taken};
 use super::{Target, docs};
-use naga::{Function, Module};
 use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
+use naga::{Function, Module};
 
 /// Renames the items of one text.
 pub(super) struct Renamer<'a> {
@@ -139,7 +139,9 @@ fn spelled(word: &str, marks: &Marks) -> String {
 
 fn push_spelled(out: &mut String, word: &str, marks: &Marks) {
     let mut rest = word;
-    while let Some(at) = rest.find(PREFIX) {
+    while rest.len() >= LENGTH
+        && let Some(at) = rest.find(PREFIX)
+    {
         out.push_str(&rest[..at]);
         match marks.at(&rest[at..]) {
             Some(mark) => {

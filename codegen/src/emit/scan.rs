@@ -26,7 +26,8 @@ pub(super) enum PieceKind {
 
 /// Cuts `text` into pieces; together they are the text.
 pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
-    let mut out: Vec<Piece<'_>> = Vec::new();
+    // Shaders have a piece for every three characters or so.
+    let mut out: Vec<Piece<'_>> = Vec::with_capacity(text.len() / 3);
     let mut rest = text;
     let mut behind_dot = false;
     while let Some(first) = rest.chars().next() {
@@ -70,24 +71,23 @@ fn hide_attributes(pieces: &mut [Piece<'_>]) {
 
 /// Kind and length of the piece that `rest` begins with.
 fn measure(rest: &str, first: char) -> (PieceKind, usize) {
-    let run = |keep: fn(char) -> bool| rest.find(|c| !keep(c)).unwrap_or(rest.len());
-    if first.is_ascii_alphabetic() || first == '_' {
-        return (PieceKind::Word, run(|c| c.is_ascii_alphanumeric() || c == '_'));
-    }
-    if first.is_ascii_digit() {
-        return (PieceKind::Opaque, run(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.'));
-    }
-    if first.is_whitespace() {
-        return (PieceKind::Space, run(char::is_whitespace));
-    }
-    let length = if rest.starts_with("//") || first == '#' {
-        rest.find('\n')
-    } else if rest.starts_with("/*") {
-        rest.find("*/").map(|i| i + 2)
-    } else if first == '"' {
-        string_length(rest)
-    } else {
-        return (PieceKind::Mark, first.len_utf8());
+    let run = |keep: fn(u8) -> bool| rest.bytes().position(|byte| !keep(byte)).unwrap_or(rest.len());
+    let is_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    let length = match first {
+        'a'..='z' | 'A'..='Z' | '_' => return (PieceKind::Word, run(is_word)),
+        '0'..='9' => {
+            return (
+                PieceKind::Opaque,
+                run(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.')),
+            );
+        }
+        ' ' | '\n' => return (PieceKind::Space, run(|byte| matches!(byte, b' ' | b'\n'))),
+        '/' if rest.starts_with("//") => rest.find('\n'),
+        '#' => rest.find('\n'),
+        '/' if rest.starts_with("/*") => rest.find("*/").map(|i| i + 2),
+        '"' => string_length(rest),
+        blank if blank.is_whitespace() => return (PieceKind::Space, blank.len_utf8()),
+        mark => return (PieceKind::Mark, mark.len_utf8()),
     };
     (PieceKind::Opaque, length.unwrap_or(rest.len()))
 }

@@ -1,13 +1,18 @@
 //! Lines that are too long are broken, where a reader would: behind a comma or before an operator, outside of as many
 //! parentheses as possible.
 
+use std::borrow::Cow;
+
 /// Characters in a line.
 const WIDTH: usize = 110;
 /// Spaces before the rest of a broken line, beyond its own.
 const INDENT: usize = 4;
 
 /// The line, broken as often as it takes; without a line break at its end.
-pub(super) fn wrap(line: &str) -> String {
+pub(super) fn wrap(line: &str) -> Cow<'_, str> {
+    if line.len() <= WIDTH {
+        return Cow::Borrowed(line);
+    }
     let start = line.len() - line.trim_start().len();
     let is_comment = line.trim_start().starts_with(['/', '#']);
     let mut rest = line.to_owned();
@@ -18,7 +23,7 @@ pub(super) fn wrap(line: &str) -> String {
         rest = format!("{}{}", " ".repeat(start + INDENT), rest[at..].trim_start());
     }
     lines.push(rest);
-    lines.join("\n")
+    lines.join("\n").into()
 }
 
 /// Where to break: the last of the best places, not so early that little is on the first line.
