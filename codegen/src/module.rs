@@ -41,6 +41,9 @@ impl ValidModule {
     }
 }
 
+/// The definitions of functions.
+pub type Definitions = HashMap<naga::Handle<naga::Function>, &'static FunctionDef>;
+
 /// Facts about a module beside its IR.
 #[derive(Debug, Clone, Default)]
 pub struct Meta {
@@ -50,7 +53,7 @@ pub struct Meta {
     /// The exact functions that functions approximate.
     pub truths: HashMap<naga::Handle<naga::Function>, Truth>,
     /// The definition that each function was lowered from.
-    pub definitions: HashMap<naga::Handle<naga::Function>, &'static FunctionDef>,
+    pub definitions: Definitions,
     /// The Rust lines that it was lowered from.
     pub sources: Sources,
 }

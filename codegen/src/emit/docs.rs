@@ -78,7 +78,7 @@ fn clean(lines: &[String]) -> impl Iterator<Item = String> + '_ {
 }
 
 /// Links to other items are Rust's: here their names will do.
-fn without_links(line: &str) -> String {
+pub(super) fn without_links(line: &str) -> String {
     line.replace("[`", "`").replace("`]", "`")
 }
 

@@ -39,7 +39,7 @@ pub(super) fn write(module: &ValidModule, target: Target, options: &Options) -> 
     let raw = translate(&marked.module, whole.info(), target, &entry, flags, policies)?;
     let raw = if is_library { library(&raw) } else { raw };
     let raw = with_marks(&raw, &marked.module);
-    tidy::finish(module.module(), &marked.marks, &raw, target, options)
+    tidy::finish((module.module(), &module.meta().definitions), &marked.marks, &raw, target, options)
 }
 
 /// The module as naga writes it.

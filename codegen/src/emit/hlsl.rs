@@ -6,6 +6,8 @@
 //! own affair, and the code stays readable.
 //! Workgroup memory starts at zero, since the kernel language says so.
 
+mod structured;
+
 use super::{EmitError, Options, Target, guarded, mark, tidy};
 use crate::ValidModule;
 use naga::back::hlsl;
@@ -14,9 +16,18 @@ use naga::valid::ModuleInfo;
 /// Writes the module as HLSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     refuse_group_count(module)?;
-    let marked = mark::mark(module.module());
-    let (raw, _) = translate(&marked.module, module.info(), &settings())?;
-    tidy::finish(module.module(), &marked.marks, &without_const(&raw), Target::Hlsl, options)
+    let structured = structured::of(module.module());
+    let (original, info) = match &structured {
+        Some(structured) => (&structured.module, &structured.info),
+        None => (module.module(), module.info()),
+    };
+    let marked = mark::mark(original);
+    let (mut raw, _) = translate(&marked.module, info, &settings())?;
+    if let Some(structured) = &structured {
+        raw = structured.declare(&raw, &marked.marks);
+    }
+    let original = (original, &module.meta().definitions);
+    tidy::finish(original, &marked.marks, &without_const(&raw), Target::Hlsl, options)
 }
 
 /// The text with variables that are declared alike: naga makes those constant that hold the result of a call.

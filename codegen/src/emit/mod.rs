@@ -9,6 +9,7 @@
 //!   What cannot keep its name is refused beforehand ([`clash`]), never renamed silently.
 //! - **Docs.** No writer prints doc comments: [`docs`].
 //! - **Ease.** They give each call a variable and each operation parentheses: [`readable`].
+//! - **Groups.** They know no blank lines and comments within functions: [`groups`].
 //! - **Form.** A header, one blank line between items, no trailing blanks: [`tidy`]; no line too long: [`wrap`].
 //! - **Panics.** A writer panics on some inputs; each runs behind [`crate::guard`].
 //!
@@ -19,6 +20,7 @@ mod clash;
 mod docs;
 pub mod entry;
 mod glsl;
+mod groups;
 mod hlsl;
 pub mod host;
 mod layouts;

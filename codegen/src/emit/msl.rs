@@ -22,7 +22,13 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
         writer.write(&marked.module, module.info(), &settings, &msl::PipelineOptions::default())?;
         Ok::<_, msl::Error>(writer.finish())
     })?;
-    tidy::finish(module.module(), &marked.marks, &lay_out(&raw), Target::Msl, options)
+    tidy::finish(
+        (module.module(), &module.meta().definitions),
+        &marked.marks,
+        &lay_out(&raw),
+        Target::Msl,
+        options,
+    )
 }
 
 /// The text without its remark on the version and without structures that have no members, the parameters of each

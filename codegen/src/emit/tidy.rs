@@ -1,15 +1,16 @@
 //! The finished text: header, items with their docs, one blank line between them.
 
-use super::mark::Marks;
+use super::mark::{Marks, Role};
 use super::rename::{Item, Renamer};
 use super::wrap::wrap;
-use super::{EmitError, Options, Target, docs, readable, scan};
-use naga::{Function, Module, Statement};
+use super::{EmitError, Options, Target, docs, groups, readable, scan};
+use crate::module::Definitions;
 use naga::FastHashSet as HashSet;
+use naga::{Function, Module, Statement};
 
-/// Makes a writer's text, full of marks, into the one that a user gets.
+/// Makes a writer's text, full of marks, into the one that a user gets; `definitions` are those of `module`'s functions.
 pub(super) fn finish(
-    module: &Module,
+    (module, definitions): (&Module, &Definitions),
     marks: &Marks,
     raw: &str,
     target: Target,
@@ -26,6 +27,7 @@ pub(super) fn finish(
     for pieces in scan::items(&pieces) {
         let text = readable::readable(pieces, renamer.function(pieces), marks);
         let item = renamer.item(&scan::pieces(&text), options.docs)?;
+        let item = with_groups(item, definitions, options.docs);
         let (text, is_line) = lay_out(module, &item, options.docs);
         let is_together = former_is_line && is_line;
         if !out.is_empty() && !is_together {
@@ -41,6 +43,17 @@ pub(super) fn finish(
 fn version(raw: &str) -> (&str, &str) {
     let end = raw.find('\n').map_or(0, |i| i + 1);
     if raw.starts_with("#version ") { raw.split_at(end) } else { ("", raw) }
+}
+
+/// The item with the groups of the definition that it comes from.
+fn with_groups(item: Item, definitions: &Definitions, with_comments: bool) -> Item {
+    let Some(Role::Function(function)) = item.defines else { return item };
+    match definitions.get(&function) {
+        Some(definition) => {
+            Item { text: groups::grouped(item.text.trim(), definition, with_comments), ..item }
+        }
+        None => item,
+    }
 }
 
 /// The item under its doc comment, and whether it is a single line.
@@ -78,7 +91,7 @@ fn header(module: &Module, target: Target, options: &Options) -> String {
 }
 
 /// Text that cannot leave a line comment.
-fn one_line(text: &str) -> String {
+pub(super) fn one_line(text: &str) -> String {
     let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
     let line: String = text.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
     line.trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()

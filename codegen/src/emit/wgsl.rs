@@ -8,5 +8,5 @@ use naga::back::wgsl::{WriterFlags, write_string};
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     let marked = mark::mark(module.module());
     let raw = guarded(Target::Wgsl, || write_string(&marked.module, module.info(), WriterFlags::empty()))?;
-    tidy::finish(module.module(), &marked.marks, &raw, Target::Wgsl, options)
+    tidy::finish((module.module(), &module.meta().definitions), &marked.marks, &raw, Target::Wgsl, options)
 }

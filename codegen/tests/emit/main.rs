@@ -4,6 +4,7 @@
 mod accepted;
 mod common;
 mod entry;
+mod groups;
 mod names;
 mod reflect;
 mod text;
