@@ -20,9 +20,11 @@ const FILE_NAME: &str = "libdxcompiler.so";
 pub enum DxcOutput {
     /// SPIR-V for Vulkan 1.1; [`spirv_words`](super::spirv_words) makes words of it.
     Spirv,
-    /// The same of HLSL 2018 with 16-bit types, which naga's writer has in mind: there `?:` takes vectors.
+    /// The same, optimised (`-O3`): as an engine ships it.
+    SpirvOptimized,
+    /// SPIR-V of HLSL 2018 with 16-bit types, which naga's writer has in mind: there `?:` takes vectors.
     Spirv2018,
-    /// A DXIL container, validated and unsigned.
+    /// A DXIL container, optimised (`-O3`), validated and unsigned.
     Dxil,
 }
 
@@ -100,16 +102,34 @@ impl Dxc {
         output: DxcOutput,
     ) -> Result<Compiled, TranslateError> {
         let arguments = arguments(profile, entry, output)?;
-        let went_wrong = |status| TranslateError::BadOutput {
-            tool: TOOL,
-            reason: format!("a call failed ({})", hex(status)),
-        };
         // A compiler object serves one thread at a time; making one costs microseconds.
         let compiler = dxc_com::create(self.create, &IID_COMPILER3).map_err(went_wrong)?;
         let result = dxc_com::compile(&compiler, hlsl, &arguments).map_err(went_wrong)?;
         let verdict = dxc_com::status(&result).map_err(went_wrong)?;
         judge(&result, verdict)
     }
+
+    /// The text of a DXIL container: LLVM's, with comments.
+    ///
+    /// # Errors
+    ///
+    /// [`TranslateError::Rejected`] if `dxil` is none.
+    pub fn disassemble(&self, dxil: &[u8]) -> Result<String, TranslateError> {
+        let compiler = dxc_com::create(self.create, &IID_COMPILER3).map_err(went_wrong)?;
+        let result = dxc_com::disassemble(&compiler, dxil).map_err(went_wrong)?;
+        let text = dxc_com::output(&result, Output::Disassembly);
+        match dxc_com::status(&result).map_err(went_wrong)? {
+            0.. if !text.is_empty() => Ok(String::from_utf8_lossy(&text).trim_end_matches('\0').to_owned()),
+            status => Err(TranslateError::Rejected {
+                tool: TOOL,
+                message: format!("these {} bytes are no DXIL ({})", dxil.len(), hex(status)),
+            }),
+        }
+    }
+}
+
+fn went_wrong(status: Status) -> TranslateError {
+    TranslateError::BadOutput { tool: TOOL, reason: format!("a call failed ({})", hex(status)) }
 }
 
 impl std::fmt::Debug for Dxc {
@@ -144,12 +164,16 @@ fn arguments(profile: &str, entry: Option<&str>, output: DxcOutput) -> Result<Ve
     if output == DxcOutput::Spirv2018 {
         arguments.extend(["-HV", "2018", "-enable-16bit-types"]);
     }
+    // The text's operations as they stand, where it is to be run: DXC's optimiser makes `a / b` of `a * (1 / b)`, and what is
+    // asked of a driver would be asked of the optimiser.
+    arguments.push(match output {
+        DxcOutput::Spirv | DxcOutput::Spirv2018 => "-O0",
+        DxcOutput::SpirvOptimized | DxcOutput::Dxil => "-O3",
+    });
     if output != DxcOutput::Dxil {
-        // The text's operations as they stand: DXC's optimiser makes `a / b` of `a * (1 / b)`, and what is asked of a
-        // driver would be asked of the optimiser.
         // KHR's, and the one that binding arrays need: this DXC would else declare an NVIDIA extension for every subgroup
         // operation.
-        arguments.extend(["-O0", "-spirv", "-fspv-target-env=vulkan1.1", "-fspv-extension=KHR"]);
+        arguments.extend(["-spirv", "-fspv-target-env=vulkan1.1", "-fspv-extension=KHR"]);
         arguments.push("-fspv-extension=SPV_EXT_descriptor_indexing");
     }
     if let Some(bad) = arguments.iter().find(|argument| argument.is_empty() || argument.contains('\0')) {

@@ -30,7 +30,7 @@ const IID_BLOB: Guid = Guid::new(0x8ba5fb08_5195_40e2_ac58_0d989c3a0102);
 /// The one function that the library exports for our use.
 pub(super) type CreateInstance = unsafe extern "C" fn(*const Guid, *const Guid, *mut *mut c_void) -> Status;
 
-/// `DxcBuffer`: the source text.
+/// `DxcBuffer`: bytes of ours.
 #[repr(C)]
 struct Source {
     bytes: *const c_void,
@@ -39,12 +39,15 @@ struct Source {
 }
 
 const UTF8: u32 = 65_001;
+/// Of bytes that are no text (`DXC_CP_ACP`).
+const BINARY: u32 = 0;
 
 /// The outputs of a compilation that are asked for (`DXC_OUT_KIND`).
 #[derive(Clone, Copy)]
 pub(super) enum Output {
     Object = 1,
     Errors = 2,
+    Disassembly = 5,
 }
 
 /// `IDxcCompiler3` or `IDxcVersionInfo`, made by the library.
@@ -85,6 +88,18 @@ pub(super) fn compile(compiler: &Com, hlsl: &str, arguments: &[String]) -> Resul
     Com::from_call(|result| unsafe {
         let compile: Compile = compiler.function(3);
         compile(compiler.this(), &source, pointers.as_ptr(), count, ptr::null_mut(), &IID_RESULT, result)
+    })
+}
+
+type Disassemble = unsafe extern "C" fn(*mut c_void, *const Source, *const Guid, *mut *mut c_void) -> Status;
+
+/// `IDxcCompiler3::Disassemble`.
+pub(super) fn disassemble(compiler: &Com, dxil: &[u8]) -> Result<Com, Status> {
+    let source = Source { bytes: dxil.as_ptr().cast(), size: dxil.len(), encoding: BINARY };
+    // SAFETY: slot 4 of `IDxcCompiler3`; the bytes and the identifier live until the call returns.
+    Com::from_call(|result| unsafe {
+        let disassemble: Disassemble = compiler.function(4);
+        disassemble(compiler.this(), &source, &IID_RESULT, result)
     })
 }
 

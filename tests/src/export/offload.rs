@@ -16,13 +16,13 @@ pub(super) fn write(case: &Case<'_>) -> Result<String, ExportError> {
     let mut out = format!("#--- source.hlsl\n{}\n{source}", commented("//", &case.notes()?));
     let _ = writeln!(out, "#--- pipeline.yaml\n---\nShaders:\n  - Stage: Compute\n    Entry: {entry}");
     let _ = writeln!(out, "DispatchParameters:\n  DispatchGroupCount: [{}, 1, 1]", case.workgroups()?);
-    out += &buffers(case, &rule)?;
+    out += &buffers(case, &rule, source)?;
     out += &rule.text;
     out += "DescriptorSets:\n  - Resources:\n";
-    for Buffer { name, binding, is_uniform, .. } in case.buffers()? {
-        out += &resource(&name, if is_uniform { "ConstantBuffer" } else { "ByteAddressBuffer" }, binding);
+    for Buffer { name, binding, .. } in case.buffers()? {
+        out += &resource(&name, kind(source, &name), binding);
     }
-    out += &resource("results", "RWByteAddressBuffer", layout.result.binding);
+    out += &resource("results", kind(source, "results"), layout.result.binding);
     let _ = writeln!(out, "...\n#--- end\n\n# RUN: split-file %s %t");
     let _ = writeln!(out, "# RUN: %dxc_target -T cs_6_0 -E {entry} -Fo %t.o %t/source.hlsl");
     out += "# RUN: %offloader %t/pipeline.yaml %t.o\n";
@@ -70,17 +70,40 @@ fn epsilon(expected: &Expected) -> Option<f64> {
     Some(epsilon.into())
 }
 
-fn buffers(case: &Case<'_>, rule: &Rule) -> Result<String, ExportError> {
+/// What the shader declares `name` as.
+fn kind<'s>(source: &'s str, name: &str) -> &'s str {
+    let declared = format!(" {name} : register(");
+    let before = source.lines().find_map(|line| line.split_once(&declared)).map_or("", |(before, _)| before);
+    match before.split_once('<').map_or(before, |(kind, _)| kind) {
+        "cbuffer" => "ConstantBuffer",
+        kind => kind,
+    }
+}
+
+/// The line that says how many bytes an element of a structured buffer has.
+fn stride(source: &str, name: &str, stride: u32) -> String {
+    match kind(source, name).ends_with("StructuredBuffer") {
+        true => format!("Stride: {stride}\n    "),
+        false => String::new(),
+    }
+}
+
+fn buffers(case: &Case<'_>, rule: &Rule, source: &str) -> Result<String, ExportError> {
+    let layout = case.layout()?;
     let mut out = "Buffers:\n".to_owned();
-    for Buffer { name, is_uniform, mut words, .. } in case.buffers()? {
+    for Buffer { name, binding, mut words, is_uniform } in case.buffers()? {
         if is_uniform {
             // Direct3D counts constants in vectors of four.
             words.resize(words.len().next_multiple_of(4), 0);
         }
-        out += &buffer(&name, "Hex32", &data(words.iter().map(|word| format!("{word:#010x}"))));
+        let argument = layout.arguments.iter().find(|argument| argument.binding == binding);
+        let stride = argument.map(|argument| stride(source, &name, argument.stride)).unwrap_or_default();
+        let data = data(words.iter().map(|word| format!("{word:#010x}")));
+        out += &buffer(&name, "Hex32", &(stride + &data));
     }
     let size = case.result_bytes()?;
-    out += &buffer("results", rule.format, &format!("FillSize: {size}"));
+    let stride = stride(source, "results", layout.result.stride);
+    out += &buffer("results", rule.format, &format!("{stride}FillSize: {size}"));
     let mut expected = vec!["0".to_owned(); size / 4];
     for Expected { offset, wanted, .. } in &rule.expected {
         expected[offset / 4] = match wanted {
@@ -89,7 +112,7 @@ fn buffers(case: &Case<'_>, rule: &Rule) -> Result<String, ExportError> {
             Wanted::Unknown => continue,
         };
     }
-    Ok(out + &buffer("expected", rule.format, &data(expected.into_iter())))
+    Ok(out + &buffer("expected", rule.format, &(stride + &data(expected.into_iter()))))
 }
 
 fn buffer(name: &str, format: &str, data: &str) -> String {

@@ -43,6 +43,7 @@ struct Buffer {
     format: String,
     data: Option<Vec<Value>>,
     fill_size: Option<usize>,
+    stride: Option<u32>,
 }
 
 #[derive(Deserialize)]
@@ -124,8 +125,9 @@ impl Test {
         for Resource { name, kind, directx, vulkan_binding } in &self.pipeline.descriptor_sets[0].resources {
             assert_eq!((directx.space, directx.register), (0, vulkan_binding.binding));
             let buffer = self.buffer(name);
+            assert_eq!(buffer.stride.is_some(), kind.ends_with("StructuredBuffer"), "{name}");
             match kind.as_str() {
-                "RWByteAddressBuffer" => {
+                "RWByteAddressBuffer" | "RWStructuredBuffer" => {
                     results = Some((vulkan_binding.binding, buffer.fill_size.expect("a size") / 4));
                 }
                 _ => inputs.push((vulkan_binding.binding, kind == "ConstantBuffer", buffer.words())),
