@@ -17,6 +17,7 @@ pub mod mutation;
 pub mod named;
 pub mod operations;
 pub mod oracle;
+pub mod overhead;
 pub mod perturbed;
 pub mod question;
 pub mod report;

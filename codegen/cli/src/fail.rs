@@ -9,6 +9,7 @@ use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
+use lobe_tests::overhead::OverheadError;
 use lobe_tests::report::merge::MergeError;
 use lobe_tests::throughput::BenchError;
 use lobe_tests::value::RowError;
@@ -80,6 +81,8 @@ pub(crate) enum Fail {
     Merge(#[from] MergeError),
     #[error(transparent)]
     Bench(#[from] BenchError),
+    #[error(transparent)]
+    Overhead(#[from] OverheadError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
 }
@@ -124,6 +127,7 @@ impl Fail {
             | Self::Explain(_)
             | Self::Export(ExportError::Exec(_) | ExportError::Disassembly { .. })
             | Self::Bench(_)
+            | Self::Overhead(_)
             | Self::Defect(_) => 1,
         }
     }

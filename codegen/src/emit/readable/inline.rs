@@ -8,8 +8,8 @@
 use crate::emit::mark::{self, Marks, Role};
 use crate::emit::scan::{self, PieceKind};
 use crate::emit::tidy::collect_calls;
-use naga::{Expression, Function, Handle, Module, TypeInner};
 use naga::FastHashSet as HashSet;
+use naga::{Expression, Function, Handle, Module, TypeInner};
 
 /// The text of `function` with its temporaries in their places.
 pub(super) fn inline(text: &str, module: &Module, function: &Function, marks: &Marks) -> String {

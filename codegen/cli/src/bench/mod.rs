@@ -1,5 +1,7 @@
 //! `lobe bench`: throughput of every executor on the same kernels, as ratios.
 
+mod emitted;
+
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use lobe_backends::gpu::Gpu;
@@ -34,9 +36,13 @@ pub(crate) struct Args {
     /// Threads of the interpreter, of native code and of lavapipe; by default all
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// End with exit code 1 if the interpreter is below half of its goal against lavapipe anywhere, twice in a row
+    /// End with exit code 1 if the interpreter is below half of its goal against lavapipe anywhere, twice in a row; with
+    /// --emitted, if any limit does not hold
     #[arg(long)]
     floor: bool,
+    /// Measure instead what emitted HLSL costs beside the same functions by hand, and how long emission takes
+    #[arg(long, conflicts_with_all = ["kernels", "routes", "threads"])]
+    emitted: bool,
 }
 
 const HELP: &str = "\
@@ -47,7 +53,11 @@ compilation is timed, nor the interpreter's lowering and linking.
 
 The ratio to another executor is how many times as fast this one is: the median over the rounds of the other's time \
 divided by this one's in the same round. The goals against wgsl+naga@lavapipe for hsg, lights and triad are \
-1.4, 3.2 and 8 with AVX-512, 1.0, 2.4 and 8 with AVX2.";
+1.4, 3.2 and 8 with AVX-512, 1.0, 2.4 and 8 with AVX2.
+
+With --emitted, six kernels stand beside HLSL by hand, all through DXC -O3: the emitted functions called by the hand's \
+entry point (limits: 1.00 x the instructions in SPIR-V and DXIL, 1.01 x the time on lavapipe), and the emitted entry \
+point (1.05 x both). Then the time to write each in every target, beside slang's for one, 200 times as long.";
 
 /// The route that goals are stated against.
 const YARDSTICK: &str = "wgsl+naga@lavapipe";
@@ -57,6 +67,9 @@ const THREADS: [&str; 2] = ["RAYON_NUM_THREADS", "LP_NUM_THREADS"];
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    if args.emitted {
+        return emitted::run(args);
+    }
     if let Some(threads) = args.threads.filter(|n| !runs_with(*n)) {
         return again(threads);
     }
