@@ -103,7 +103,7 @@ fn the_same_module_gives_the_same_bytes() {
     let (entry, _) = with_entry(&rich(), rich().function("product").unwrap(), 64).unwrap();
     for target in Target::ALL {
         let first = artifact(&entry, target);
-        for _ in 0..20 {
+        for _ in 0..100 {
             let (again, _) = with_entry(&rich(), rich().function("product").unwrap(), 64).unwrap();
             assert_eq!(artifact(&again, target).content.bytes(), first.content.bytes(), "{target}");
         }
