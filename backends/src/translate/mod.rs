@@ -18,6 +18,7 @@ pub mod glslang;
 mod process;
 pub mod slang;
 mod slang_api;
+mod slang_reflection;
 pub mod spirv_val;
 mod tools;
 mod translators;
@@ -28,6 +29,7 @@ pub use dxc::{Dxc, DxcOutput};
 pub use error::TranslateError;
 pub use glslang::Glslang;
 pub use slang::Slang;
+pub use slang_reflection::{SlangEntry, SlangFunction, SlangMember, SlangReflection, SlangResource, SlangStructure};
 pub use tools::tools_dir;
 pub use translators::Translators;
 

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::slang_api::{Api, OpenSession, Outcome};
-use super::{Compiled, TranslateError, tools};
+use super::{Compiled, SlangReflection, TranslateError, tools};
 
 const TOOL: &str = "slang";
 /// How to get it.
@@ -90,14 +90,36 @@ impl Slang {
     ///
     /// As for [`Slang::compile`].
     pub fn compile_with_warnings(&self, hlsl: &str, entry: &str) -> Result<Compiled, TranslateError> {
-        let entry = entry_name(entry)?;
+        let entry = c_name(entry)?;
+        judge(self.in_session(|session| session.compile(&ARGUMENTS, hlsl, &entry))?)
+    }
+
+    /// Compiles likewise, and says what slang sees in the shader: its entry point, its resources, and of its structures
+    /// and functions those that `names` names; what has another name, or is not there, is left out.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Slang::compile`], and [`TranslateError::BadOutput`] if this release of slang does not tell.
+    pub fn reflect(
+        &self,
+        hlsl: &str,
+        entry: &str,
+        names: &[&str],
+    ) -> Result<SlangReflection, TranslateError> {
+        let entry = c_name(entry)?;
+        let names = names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>, _>>()?;
+        let names: Vec<&CStr> = names.iter().map(CString::as_c_str).collect();
+        found(self.in_session(|session| session.reflect(&ARGUMENTS, hlsl, &entry, &names))?).map(|(it, _)| it)
+    }
+
+    fn in_session<T>(&self, work: impl FnOnce(&mut OpenSession) -> T) -> Result<T, TranslateError> {
         // A panic while it was locked says nothing of the session, which is slang's own.
         let mut session = self.session.lock().unwrap_or_else(PoisonError::into_inner);
         let session = match session.as_mut() {
             Some(session) => session,
             None => session.insert(OpenSession::new(self.api).ok_or_else(|| self.opens_not())?),
         };
-        judge(session.compile(&ARGUMENTS, hlsl, &entry))
+        Ok(work(session))
     }
 
     fn opens_not(&self) -> TranslateError {
@@ -115,23 +137,30 @@ impl std::fmt::Debug for Slang {
     }
 }
 
-fn entry_name(entry: &str) -> Result<CString, TranslateError> {
-    let reason = || format!("{entry:?} is no entry point");
-    match CString::new(entry) {
+fn c_name(name: &str) -> Result<CString, TranslateError> {
+    let reason = || format!("{name:?} is no name of HLSL");
+    match CString::new(name) {
         Ok(name) if !name.is_empty() => Ok(name),
         _ => Err(TranslateError::BadInput { tool: TOOL, reason: reason() }),
     }
 }
 
-fn judge(Outcome { code, messages }: Outcome) -> Result<Compiled, TranslateError> {
+fn judge(outcome: Outcome<Vec<u8>>) -> Result<Compiled, TranslateError> {
+    let (object, warnings) = found(outcome)?;
+    if object.is_empty() {
+        let reason = format!("it wrote nothing; {warnings}");
+        return Err(TranslateError::BadOutput { tool: TOOL, reason });
+    }
+    Ok(Compiled { object, warnings })
+}
+
+/// What came of a compilation, and the warnings.
+fn found<T>(Outcome { found, messages }: Outcome<T>) -> Result<(T, String), TranslateError> {
     let messages = messages.trim().to_owned();
-    match code {
-        Some(object) if !object.is_empty() => Ok(Compiled { object, warnings: messages }),
+    match found {
+        Some(found) => Ok((found, messages)),
         None if !messages.is_empty() => Err(TranslateError::Rejected { tool: TOOL, message: messages }),
-        _ => {
-            let reason = format!("it wrote nothing; {messages}");
-            Err(TranslateError::BadOutput { tool: TOOL, reason })
-        }
+        None => Err(TranslateError::BadOutput { tool: TOOL, reason: "it wrote nothing".to_owned() }),
     }
 }
 
@@ -142,14 +171,14 @@ mod tests {
     #[test]
     fn names_that_cannot_be_handed_over_are_refused() {
         for name in ["", "ma\0in"] {
-            let error = entry_name(name).expect_err("should be refused");
-            assert!(error.to_string().contains("is no entry point"), "{error}");
+            let error = c_name(name).expect_err("should be refused");
+            assert!(error.to_string().contains("is no name"), "{error}");
         }
     }
 
     #[test]
     fn nothing_is_no_success() {
-        let outcome = |code, messages: &str| judge(Outcome { code, messages: messages.to_owned() });
+        let outcome = |code, messages: &str| judge(Outcome { found: code, messages: messages.to_owned() });
         assert!(matches!(outcome(None, "error"), Err(TranslateError::Rejected { .. })));
         assert!(matches!(outcome(None, ""), Err(TranslateError::BadOutput { .. })));
         assert!(matches!(outcome(Some(Vec::new()), ""), Err(TranslateError::BadOutput { .. })));

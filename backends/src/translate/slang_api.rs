@@ -10,6 +10,7 @@ use std::ptr::{self, NonNull};
 
 use super::com::{Com, Status, blob_bytes};
 use super::elf;
+use super::slang_reflection::{Functions, SlangReflection};
 
 /// `SLANG_SOURCE_LANGUAGE_HLSL`.
 const HLSL: c_int = 2;
@@ -19,7 +20,7 @@ const COMPUTE: u32 = 6;
 const TARGET: c_int = 0;
 
 type Session = *mut c_void;
-type Request = *mut c_void;
+pub(super) type Request = *mut c_void;
 
 /// The functions, once they were found.
 #[derive(Clone, Copy)]
@@ -36,6 +37,8 @@ pub(super) struct Api {
     compile: unsafe extern "C" fn(Request) -> Status,
     messages: unsafe extern "C" fn(Request) -> *const c_char,
     target_code: unsafe extern "C" fn(Request, c_int, *mut *mut c_void) -> Status,
+    /// `None` in releases without.
+    reflection: Option<Functions>,
 }
 
 impl Api {
@@ -66,6 +69,7 @@ impl Api {
                 compile: symbol(library, c"spCompile")?,
                 messages: symbol(library, c"spGetDiagnosticOutput")?,
                 target_code: symbol(library, c"spGetTargetCodeBlob")?,
+                reflection: Functions::find(library).ok(),
             })
         }
     }
@@ -80,7 +84,7 @@ impl Api {
 /// # Safety
 ///
 /// `F` must be the type of the function of that name.
-unsafe fn symbol<F: Copy>(library: &libloading::Library, name: &CStr) -> Result<F, String> {
+pub(super) unsafe fn symbol<F: Copy>(library: &libloading::Library, name: &CStr) -> Result<F, String> {
     // SAFETY: the caller vouches for the type.
     let found = unsafe { library.get::<F>(name.to_bytes_with_nul()) };
     found.map(|symbol| *symbol).map_err(|error| format!("it is not slang: {}", elf::explain(&error)))
@@ -89,7 +93,7 @@ unsafe fn symbol<F: Copy>(library: &libloading::Library, name: &CStr) -> Result<
 /// # Safety
 ///
 /// The pointer is null or that of a string that ends in zero.
-unsafe fn text(pointer: *const c_char) -> String {
+pub(super) unsafe fn text(pointer: *const c_char) -> String {
     if pointer.is_null() {
         return String::new();
     }
@@ -107,9 +111,9 @@ pub(super) struct OpenSession {
 unsafe impl Send for OpenSession {}
 
 /// What came of a compilation.
-pub(super) struct Outcome {
-    /// The code; `None` if there is none.
-    pub(super) code: Option<Vec<u8>>,
+pub(super) struct Outcome<T> {
+    /// The code, or what else was asked for; `None` if there is none.
+    pub(super) found: Option<T>,
     /// Errors and warnings.
     pub(super) messages: String,
 }
@@ -122,17 +126,39 @@ impl OpenSession {
     }
 
     /// Compiles `hlsl`, whose entry point is `entry`, as `arguments` of the command line say.
-    pub(super) fn compile(&mut self, arguments: &[&CStr], hlsl: &str, entry: &CStr) -> Outcome {
+    pub(super) fn compile(&mut self, arguments: &[&CStr], hlsl: &str, entry: &CStr) -> Outcome<Vec<u8>> {
+        self.compiled(arguments, hlsl, entry, OpenRequest::code)
+    }
+
+    /// Compiles `hlsl` likewise, and says what is in it, of structures and functions those of `names`.
+    pub(super) fn reflect(
+        &mut self,
+        arguments: &[&CStr],
+        hlsl: &str,
+        entry: &CStr,
+        names: &[&CStr],
+    ) -> Outcome<SlangReflection> {
+        self.compiled(arguments, hlsl, entry, |request| request.reflection(names))
+    }
+
+    /// Compiles `hlsl`, and takes what is wanted of the request if that went well.
+    fn compiled<T>(
+        &mut self,
+        arguments: &[&CStr],
+        hlsl: &str,
+        entry: &CStr,
+        take: impl FnOnce(&OpenRequest) -> Option<T>,
+    ) -> Outcome<T> {
         // SAFETY: the session lives as long as `self`.
         let request = unsafe { (self.api.create_request)(self.session.as_ptr()) };
         if request.is_null() {
-            return Outcome { code: None, messages: "it takes no request".to_owned() };
+            return Outcome { found: None, messages: "it takes no request".to_owned() };
         }
         let request = OpenRequest { api: self.api, request };
-        let code = request.compile(arguments, hlsl, entry);
+        let found = if request.compile(arguments, hlsl, entry) { take(&request) } else { None };
         // SAFETY: the request lives, and so does the string.
         let messages = unsafe { text((self.api.messages)(request.request)) };
-        Outcome { code, messages }
+        Outcome { found, messages }
     }
 }
 
@@ -149,29 +175,36 @@ struct OpenRequest {
 }
 
 impl OpenRequest {
-    /// The code, if there is any.
-    ///
-    /// It is asked for as that of the target: SPIR-V is written for a module as a whole, and the library crashes when
-    /// it is asked for the code of an entry point.
-    fn compile(&self, arguments: &[&CStr], hlsl: &str, entry: &CStr) -> Option<Vec<u8>> {
+    /// Whether it went well.
+    fn compile(&self, arguments: &[&CStr], hlsl: &str, entry: &CStr) -> bool {
         let Self { api, request } = self;
         let pointers: Vec<*const c_char> = arguments.iter().map(|argument| argument.as_ptr()).collect();
         let text = hlsl.as_bytes().as_ptr_range();
         // SAFETY: the request lives, every string ends in zero or is given with its end, and slang copies them.
-        let went_well = unsafe {
+        unsafe {
             if (api.take_arguments)(*request, pointers.as_ptr(), pointers.len() as c_int) < 0 {
-                return None;
+                return false;
             }
             let unit = (api.add_unit)(*request, HLSL, c"shader".as_ptr());
             (api.add_source)(*request, unit, c"shader.hlsl".as_ptr(), text.start.cast(), text.end.cast());
             (api.add_entry)(*request, unit, entry.as_ptr(), COMPUTE) >= 0 && (api.compile)(*request) >= 0
-        };
-        if !went_well {
-            return None;
         }
+    }
+
+    /// The code, once it was compiled, if there is any.
+    ///
+    /// It is asked for as that of the target: SPIR-V is written for a module as a whole, and the library crashes when
+    /// it is asked for the code of an entry point.
+    fn code(&self) -> Option<Vec<u8>> {
         // SAFETY: the request was compiled, which is what the call asks for.
-        let blob = Com::from_call(|blob| unsafe { (api.target_code)(*request, TARGET, blob) });
+        let blob = Com::from_call(|blob| unsafe { (self.api.target_code)(self.request, TARGET, blob) });
         blob.ok().map(|blob| blob_bytes(&blob))
+    }
+
+    /// What is in it, once it was compiled.
+    fn reflection(&self, names: &[&CStr]) -> Option<SlangReflection> {
+        // SAFETY: the request lives and was compiled.
+        self.api.reflection.and_then(|functions| unsafe { functions.read(self.request, names) })
     }
 }
 

@@ -1,10 +1,11 @@
-//! Declared names are emitted names, read out of each output by a tool of its own language: naga for WGSL, DXC for
-//! HLSL, glslang for GLSL, and SPIR-V's own names.
+//! Declared names are emitted names, read out of each output by a tool of its own language: naga for WGSL, DXC and
+//! slang for HLSL, glslang for GLSL, and SPIR-V's own names.
 //!
 //! MSL has no such tool outside of Apple's systems; `codegen/tests/emit/names.rs` looks through its text.
 
 #[path = "../common/mod.rs"]
 mod common;
+mod slang;
 mod words;
 
 use lobe_backends::executor::Program;
