@@ -14,7 +14,7 @@ export LOBE_REQUIRE_TOOLS=1
 export INSTA_UPDATE=no
 [[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
 
-all=(setup format lint test doc check mutate oracle measure throughput)
+all=(setup format lint test outside doc check mutate oracle measure throughput)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
@@ -25,6 +25,16 @@ step_setup() { tests/setup.sh; }
 step_format() { cargo fmt --all --check; }
 step_lint() { cargo clippy --workspace --all-targets -- -D warnings; }
 step_test() { cargo test --workspace --no-fail-fast; }
+# A crate of a user's own, as a user builds it: a workspace by itself, with the versions of ours. Its dependencies are built
+# again, since the features that they have here come from tests of ours.
+step_outside() (
+    cd codegen/examples/fog
+    cp ../../../Cargo.lock .
+    export CARGO_TARGET_DIR=../../../target/fog
+    cargo fmt -p fog -p fog-kernels --check
+    cargo test --workspace
+    "$CARGO_TARGET_DIR/debug/examples/glow"
+)
 step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
 # The main job, as a user runs it, with every road to the driver that CI must have, and drivers drawn by chance.
 step_check() {

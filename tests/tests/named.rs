@@ -1,6 +1,6 @@
 //! Tests that `check!` writes: what they ask, how they fail, and what they leave for a report.
 //!
-//! `examples/own-kernels` has them run by cargo; kernels that fail are only here, and asked by hand.
+//! `tests/own-kernels` has them run by cargo; kernels that fail are only here, and asked by hand.
 
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::prelude::*;

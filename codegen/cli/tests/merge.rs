@@ -45,7 +45,7 @@ fn shares_of_a_check_are_merged_to_the_check() {
     );
 }
 
-/// Runs the tests of `examples/own-kernels`, or a part of them, as a user does.
+/// Runs the tests of `tests/own-kernels`, or a part of them, as a user does.
 fn nextest(reports: &Path, options: &[&str]) -> Output {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     let profile: &[&str] = if cfg!(debug_assertions) { &[] } else { &["--release"] };

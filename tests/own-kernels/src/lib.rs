@@ -1,4 +1,4 @@
-//! Kernels of a user's own; `tests/kernels.rs` has them judged on every route.
+//! Kernels beside the library's; `tests/kernels.rs` has them judged on every route.
 
 use lobe_codegen::prelude::*;
 
