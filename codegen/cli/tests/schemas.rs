@@ -60,6 +60,19 @@ fn listings() {
 }
 
 #[test]
+fn descriptions_of_what_was_emitted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().display().to_string();
+    for (form, entries) in [("library", 0), ("entry", 1)] {
+        lobe(&["emit", "sg_product", "--target", "wgsl", "--form", form, "--out", &out]);
+        let text = std::fs::read_to_string(folder.path().join("sg_product.json")).expect("the description");
+        let value: Value = serde_json::from_str(&text).expect("JSON");
+        assert_follows(&schema("reflection"), &value);
+        assert_eq!(value["entries"].as_array().map(Vec::len), Some(entries));
+    }
+}
+
+#[test]
 fn explanations() {
     for (kernel, row) in
         [("expm1_over_x_higham", "{\"x\": 0.0012}"), ("erf", "{\"x\": 1e-40}"), ("erf", "{\"x\": \"nan\"}")]

@@ -1,6 +1,7 @@
 //! What a host must know to use an artifact, as data that prints as JSON.
 //!
-//! Types are spelled as in WGSL.
+//! Types are spelled as in WGSL; sizes, offsets and strides are bytes.
+//! `tests/schema/reflection-1.json` describes the JSON.
 //! Order is the module's everywhere, so that the same module gives the same bytes.
 
 mod spell;
@@ -142,6 +143,33 @@ impl Reflection {
 }
 
 /// What a host must know about `module`.
+///
+/// ```
+/// use lobe_codegen::emit::reflect;
+/// use lobe_codegen::prelude::*;
+///
+/// /// A light.
+/// #[kernel]
+/// pub struct Light {
+///     /// Where it is.
+///     pub position: Vec3,
+///     /// How strong it is.
+///     pub power: f32,
+/// }
+///
+/// /// Irradiance at the origin.
+/// #[kernel]
+/// pub fn irradiance(light: Light) -> f32 {
+///     light.power / dot(light.position, light.position)
+/// }
+///
+/// let reflection = reflect(&lobe_codegen::lower(&lobe_codegen::kernels![irradiance])?);
+/// let light = &reflection.structs[0];
+/// assert_eq!((light.members[1].name.as_str(), light.members[1].offset, light.size), ("power", 12, 16));
+/// assert_eq!(reflection.functions[0].returns.as_deref(), Some("f32"));
+/// assert!(reflection.to_json()?.contains("\"docs\": [\n        \"A light.\"\n      ]"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn reflect(module: &ValidModule) -> Reflection {
     let naga = module.module();
     Reflection {

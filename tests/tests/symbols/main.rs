@@ -5,6 +5,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod described;
 mod slang;
 mod words;
 
@@ -131,13 +132,39 @@ fn check(program: &Program, layout: &EntryLayout, found: &Symbols, target: Targe
     }
 }
 
+/// That structures in buffers, and arrays of them, lie as the description says; how many of each were compared.
+fn compare_layouts(declared: &Reflection, found: &Symbols, kernel: &str) -> (usize, usize) {
+    let (mut structures, mut arrays) = (0, 0);
+    for structure in &declared.structs {
+        let members: Vec<(String, u32)> =
+            structure.members.iter().map(|m| (m.name.clone(), m.offset)).collect();
+        for (_, offsets) in found.offsets.iter().filter(|(name, _)| *name == structure.name) {
+            assert_eq!(*offsets, members, "{kernel}: {}", structure.name);
+            structures += 1;
+        }
+    }
+    for binding in &declared.entries[0].bindings {
+        let place = (binding.group, binding.binding);
+        for (_, stride) in found.strides.iter().filter(|(at, _)| *at == place) {
+            assert_eq!(Some(*stride), binding.stride, "{kernel}: {}", binding.name);
+            arrays += 1;
+        }
+    }
+    (structures, arrays)
+}
+
 #[test]
-fn spirv_has_them() {
+fn spirv_has_them_and_lies_as_described() {
     for program in programs() {
-        let (_, layout) = program.entry().unwrap_or_else(|e| panic!("{e}"));
+        let (module, layout) = program.entry().unwrap_or_else(|e| panic!("{e}"));
         let artifact = program.artifact(Target::Spirv).unwrap_or_else(|e| panic!("{e}"));
         let Content::Words(words) = artifact.content else { panic!("words") };
-        check(&program, layout, &symbols(&words), Target::Spirv);
+        let found = symbols(&words);
+        check(&program, layout, &found, Target::Spirv);
+        let declared = reflect(module);
+        let arrays = declared.entries[0].bindings.iter().filter(|b| b.stride.is_some()).count();
+        let compared = compare_layouts(&declared, &found, program.name());
+        assert_eq!(compared, (declared.structs.len(), arrays), "{}", program.name());
     }
 }
 
@@ -195,13 +222,8 @@ fn glsl_declares_them_by_glslang_and_lays_buffers_out_as_the_module_does() {
         let words = glslang.compile(artifact.content.text().expect("text")).unwrap_or_else(|e| panic!("{e}"));
         let found = symbols(&words);
         check(&program, layout, &found, Target::Glsl);
-        for structure in reflect(module).structs {
-            let declared: Vec<(String, u32)> =
-                structure.members.iter().map(|m| (m.name.clone(), m.offset)).collect();
-            for (_, offsets) in found.offsets.iter().filter(|(name, _)| *name == structure.name) {
-                assert_eq!(*offsets, declared, "{}", structure.name);
-            }
-        }
+        let (_, arrays) = compare_layouts(&reflect(module), &found, program.name());
+        assert!(arrays > 0, "{}: no array was compared", program.name());
     }
 }
 
