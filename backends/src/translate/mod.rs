@@ -6,6 +6,16 @@
 //! - [`dawn`]: Google's WebGPU, whose WGSL compiler is Tint, in a process that stays.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
 //!
+//! ```
+//! use lobe_backends::translate::{Slang, spirv_words};
+//!
+//! if let Ok(slang) = Slang::find() {
+//!     let object = slang.compile("[numthreads(1, 1, 1)] void nothing() {}", "nothing")?;
+//!     assert_eq!(spirv_words(&object)?[0], 0x0723_0203);
+//! }
+//! # Ok::<(), lobe_backends::translate::TranslateError>(())
+//! ```
+//!
 //! A tool that is not there gives [`TranslateError::NotFound`], which says how to get it.
 
 mod com;
@@ -28,8 +38,10 @@ pub use dawn::tint::Tint;
 pub use dxc::{Dxc, DxcOutput};
 pub use error::TranslateError;
 pub use glslang::Glslang;
-pub use slang::Slang;
-pub use slang_reflection::{SlangEntry, SlangFunction, SlangMember, SlangReflection, SlangResource, SlangStructure};
+pub use slang::{Slang, SlangRules};
+pub use slang_reflection::{
+    SlangEntry, SlangFunction, SlangMember, SlangReflection, SlangResource, SlangStructure,
+};
 pub use tools::tools_dir;
 pub use translators::Translators;
 

@@ -31,6 +31,19 @@ const ARGUMENTS: [&CStr; 20] = [
     c"-fvk-s-shift", c"0", c"all",
 ];
 
+/// For what slang says by Direct3D's rules, of which no code is taken.
+const ARGUMENTS_OF_DIRECT3D: [&CStr; 6] =
+    [c"-target", c"hlsl", c"-profile", c"sm_6_0", c"-O0", c"-matrix-layout-column-major"];
+
+/// Whose rules a layout follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlangRules {
+    /// Those of Vulkan's storage buffers.
+    Vulkan,
+    /// Those of Direct3D's structured buffers.
+    Direct3D,
+}
+
 /// The loaded compiler. It can be shared between threads, which take turns.
 pub struct Slang {
     path: PathBuf,
@@ -94,8 +107,8 @@ impl Slang {
         judge(self.in_session(|session| session.compile(&ARGUMENTS, hlsl, &entry))?)
     }
 
-    /// Compiles likewise, and says what slang sees in the shader: its entry point, its resources, and of its structures
-    /// and functions those that `names` names; what has another name, or is not there, is left out.
+    /// Compiles likewise, and says what slang sees in the shader: its entry point, its resources, and of its structures,
+    /// laid out by `rules`, and functions those that `names` names; what is not there is left out.
     ///
     /// # Errors
     ///
@@ -105,11 +118,17 @@ impl Slang {
         hlsl: &str,
         entry: &str,
         names: &[&str],
+        rules: SlangRules,
     ) -> Result<SlangReflection, TranslateError> {
         let entry = c_name(entry)?;
         let names = names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>, _>>()?;
         let names: Vec<&CStr> = names.iter().map(CString::as_c_str).collect();
-        found(self.in_session(|session| session.reflect(&ARGUMENTS, hlsl, &entry, &names))?).map(|(it, _)| it)
+        let arguments = match rules {
+            SlangRules::Vulkan => &ARGUMENTS[..],
+            SlangRules::Direct3D => &ARGUMENTS_OF_DIRECT3D,
+        };
+        let outcome = self.in_session(|session| session.reflect(arguments, hlsl, &entry, &names))?;
+        found(outcome).map(|(reflection, _)| reflection)
     }
 
     fn in_session<T>(&self, work: impl FnOnce(&mut OpenSession) -> T) -> Result<T, TranslateError> {

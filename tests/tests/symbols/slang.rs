@@ -4,7 +4,7 @@
 use super::{common, programs};
 use lobe_backends::executor::Program;
 use lobe_backends::translate::{
-    Slang, SlangEntry, SlangFunction, SlangMember, SlangReflection, SlangResource, SlangStructure,
+    Slang, SlangEntry, SlangFunction, SlangMember, SlangReflection, SlangResource, SlangRules, SlangStructure,
 };
 use lobe_codegen::emit::reflect::{BindingInfo, EntryPointInfo, FunctionInfo, MemberInfo, StructInfo};
 use lobe_codegen::emit::{Reflection, Target, reflect};
@@ -20,12 +20,13 @@ fn slang() -> Option<Slang> {
 }
 
 /// What slang sees, without the members that fill a structure up.
-fn seen(slang: &Slang, program: &Program, declared: &Reflection) -> SlangReflection {
+fn seen(slang: &Slang, program: &Program, declared: &Reflection, rules: SlangRules) -> SlangReflection {
     let artifact = program.artifact(Target::Hlsl).unwrap_or_else(|e| panic!("{e}"));
     let structures = declared.structs.iter().map(|s| s.name.as_str());
     let names: Vec<&str> = structures.chain(declared.functions.iter().map(|f| f.name.as_str())).collect();
     let text = artifact.content.text().expect("text");
-    let mut seen = slang.reflect(text, &declared.entries[0].name, &names).unwrap_or_else(|e| panic!("{e}"));
+    let entry = &declared.entries[0].name;
+    let mut seen = slang.reflect(text, entry, &names, rules).unwrap_or_else(|e| panic!("{e}"));
     seen.structures.iter_mut().for_each(|s| s.members.retain(|m| !m.name.starts_with('_')));
     seen.resources.sort_by_key(|resource| (resource.group, resource.binding));
     seen
@@ -37,16 +38,10 @@ fn expected(declared: &Reflection) -> SlangReflection {
         name: e.name.clone(),
         workgroup_size: e.workgroup_size.map(|n| n as usize),
     };
-    let resource = |b: &BindingInfo| SlangResource {
-        name: b.name.clone(),
-        group: b.group,
-        binding: b.binding,
-    };
-    let member = |m: &MemberInfo| SlangMember {
-        name: m.name.clone(),
-        ty: spelled(&m.ty),
-        offset: m.offset as usize,
-    };
+    let resource =
+        |b: &BindingInfo| SlangResource { name: b.name.clone(), group: b.group, binding: b.binding };
+    let member =
+        |m: &MemberInfo| SlangMember { name: m.name.clone(), ty: spelled(&m.ty), offset: m.offset as usize };
     let structure = |s: &StructInfo| SlangStructure {
         name: s.name.clone(),
         size: s.size as usize,
@@ -95,8 +90,24 @@ fn hlsl_declares_them_by_slang() {
     for program in programs() {
         let (module, _) = program.entry().unwrap_or_else(|e| panic!("{e}"));
         let declared = reflect(module);
-        assert_eq!(seen(&slang, &program, &declared), expected(&declared), "{}", program.name());
+        for rules in [SlangRules::Vulkan, SlangRules::Direct3D] {
+            let seen = seen(&slang, &program, &declared, rules);
+            assert_eq!(seen, expected(&declared), "{} by {rules:?}", program.name());
+        }
     }
+}
+
+/// Without the members that fill structures up, Direct3D would lay them out closer than hosts do.
+#[test]
+fn structures_need_their_padding_in_direct3d() {
+    let Some(slang) = slang() else { return };
+    let bare = "struct Sg { float3 axis; float sharpness; float log_amplitude; };
+        [numthreads(1, 1, 1)] void main() {}";
+    let size = |rules| {
+        let seen = slang.reflect(bare, "main", &["Sg"], rules).unwrap_or_else(|e| panic!("{e}"));
+        seen.structures[0].size
+    };
+    assert_eq!((size(SlangRules::Vulkan), size(SlangRules::Direct3D)), (32, 20));
 }
 
 /// Each part of a declaration is compared: one that differs is noticed.
@@ -106,7 +117,7 @@ fn slang_does_not_see_what_is_not_declared() {
     let program = programs().find(|program| program.name() == "sg_product").expect("a kernel");
     let (module, _) = program.entry().unwrap_or_else(|e| panic!("{e}"));
     let declared = reflect(module);
-    let seen = seen(&slang, &program, &declared);
+    let seen = seen(&slang, &program, &declared, SlangRules::Direct3D);
     let lies: [fn(&mut Reflection); 7] = [
         |r| r.entries[0].workgroup_size[1] += 1,
         |r| r.entries[0].bindings[0].group += 1,
