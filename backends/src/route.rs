@@ -6,6 +6,16 @@ use std::fmt;
 use std::str::FromStr;
 
 /// A way from a kernel to its results.
+///
+/// ```
+/// use lobe_backends::route::{Road, Route};
+///
+/// let route: Route = "hlsl+dxc@lavapipe".parse()?;
+/// assert_eq!(route, Route::Gpu { road: Road::HlslDxc, driver: "lavapipe".to_owned() });
+/// assert_eq!(route.to_string(), "hlsl+dxc@lavapipe");
+/// assert!("lavapipe".parse::<Route>().is_err());
+/// # Ok::<(), lobe_backends::route::ParseRouteError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Route {
     /// The Rust function itself.

@@ -2,6 +2,19 @@
 //!
 //! Every executor takes and returns [`Columns`]; a float travels as its bits, so nothing is lost,
 //! NaN payloads included.
+//!
+//! ```
+//! use lobe_codegen::data::{Columns, leaves};
+//! use lobe_codegen::def::{Scalar, TypeDef};
+//!
+//! let names: Vec<String> = leaves("dir", &TypeDef::Vector(3, Scalar::F32)).into_iter().map(|leaf| leaf.path).collect();
+//! assert_eq!(names, ["dir.x", "dir.y", "dir.z"]);
+//!
+//! // Two directions, a row each.
+//! let rows = [[1.0_f32, 0.0, 0.0], [0.0, 0.6, 0.8]].map(|row| row.map(f32::to_bits).to_vec());
+//! let columns = Columns::from_rows(3, &rows);
+//! assert_eq!(columns.columns[2], [0, 0.8_f32.to_bits()]);
+//! ```
 
 use crate::def::{Scalar, StructDef, TypeDef};
 

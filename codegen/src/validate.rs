@@ -107,6 +107,16 @@ fn with(module: naga::Module, meta: Meta, capabilities: Capabilities) -> Result<
 
 /// Parses and [validates](validate) WGSL text; its doc comments (`///`) travel along.
 ///
+/// ```
+/// use lobe_codegen::validate::from_wgsl;
+///
+/// let module = from_wgsl("fn twice(x: f32) -> f32 { return 2.0 * x; }")?;
+/// assert!(module.function("twice").is_some());
+/// let error = from_wgsl("fn twice(x: f32) -> f32 { return 2.0 * y; }").expect_err("there is no y");
+/// assert!(error.to_string().contains("return 2.0 * y;"));
+/// # Ok::<(), lobe_codegen::validate::ValidateError>(())
+/// ```
+///
 /// # Errors
 /// When naga's front end or validator refuses the text; the message shows the line and caret.
 pub fn from_wgsl(text: &str) -> Result<ValidModule, ValidateError> {

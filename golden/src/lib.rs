@@ -5,6 +5,17 @@
 //! So one golden serves every route, and changes only when the mathematics does.
 //!
 //! This crate knows no shaders: it takes numbers.
+//!
+//! ```
+//! use lobe_golden::{Golden, judge};
+//!
+//! // Two pixels of one channel, the second in a shadow whose edge rounding may move.
+//! let golden = Golden { stride: 2, truth: vec![0.25, 0.5], permitted: vec![1e-6, 0.1] };
+//! let verdict = judge(&golden, &[0.250_000_5, 0.58])?;
+//! assert!(verdict.passes());
+//! assert_eq!(verdict.worst.place, 1);
+//! # Ok::<(), lobe_golden::GoldenError>(())
+//! ```
 
 /// The true picture and its permitted error.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,20 @@
 //! SPIR-V and HLSL.
 //! One file a subject; [`registry`] is the only list of what is emitted.
 //!
+//! ```
+//! use lobe_codegen::glam::Vec3;
+//! use lobe_kernels::hsg::hsg_cosine_product_integral;
+//! use lobe_kernels::sg::{Sg, sg_integral};
+//!
+//! // A light in the zenith that sends one unit of power per area: its lobe integrates to 1.
+//! let log_amplitude = -sg_integral(1000.0).ln();
+//! let light = Sg { axis: Vec3::Z, sharpness: 1000.0, log_amplitude };
+//! // On a floor nearly all of it counts, on a floor that is tilted by 60 degrees half of it.
+//! let tilted = Vec3::new(0.75_f32.sqrt(), 0.0, 0.5);
+//! assert!((hsg_cosine_product_integral(light, Vec3::Z) - 1.0).abs() < 2e-3);
+//! assert!((hsg_cosine_product_integral(light, tilted) - 0.5).abs() < 2e-3);
+//! ```
+//!
 //! | file | what | sources |
 //! |---|---|---|
 //! | [`special`], [`constants`] | functions that shading languages lack; multiples of π | [Higham02] |

@@ -18,6 +18,26 @@ use lobe_codegen::data::Columns;
 use lobe_codegen::trace::Traced;
 
 /// Runs kernels on one route.
+///
+/// ```
+/// use lobe_backends::executor::Program;
+/// use lobe_backends::routes::Machine;
+/// use lobe_codegen::data::Columns;
+/// use lobe_codegen::prelude::*;
+///
+/// /// Adds one.
+/// #[kernel]
+/// pub fn next(x: f32) -> f32 {
+///     x + 1.0
+/// }
+///
+/// let program = Program::new(lobe_codegen::kernels![next][0])?;
+/// let args = Columns { columns: vec![vec![2.0_f32.to_bits()]], rows: 1 };
+/// // `spirv@lavapipe` and its like open as this does, where the machine has them.
+/// let mut executor = Machine::look().open(&"interp".parse()?)?;
+/// assert_eq!(executor.run(&program, &args)?.columns[0], [3.0_f32.to_bits()]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Executor {
     /// The route.
     fn route(&self) -> &Route;

@@ -66,6 +66,35 @@ const FUEL: u64 = 1 << 24;
 const SUBGROUP: u32 = 32;
 
 /// Executes the functions and entry points of a module; each is lowered and linked when it first runs.
+///
+/// ```
+/// use lobe_backends::interp::{Buffer, Interpreter, ShadowColumn};
+/// use lobe_codegen::data::Columns;
+/// use lobe_codegen::validate::from_wgsl;
+///
+/// let module = from_wgsl(
+///     "fn third(x: f32) -> f32 { return x / 3.0; }
+///      @group(0) @binding(0) var<storage, read_write> values: array<f32>;
+///      @compute @workgroup_size(2) fn thirds(@builtin(global_invocation_id) id: vec3<u32>) {
+///          values[id.x] = third(values[id.x]);
+///      }",
+/// )?;
+/// let interpreter = Interpreter::new(&module)?;
+///
+/// // An entry point, on buffers.
+/// let mut buffers = [Buffer { group: 0, binding: 0, data: [1.0_f32, 6.0].map(f32::to_le_bytes).concat() }];
+/// interpreter.run(0, [1, 1, 1], &mut buffers[..])?;
+/// assert_eq!(buffers[0].data[4..], 2.0_f32.to_le_bytes());
+///
+/// // A function, with the exact value and how far from it any driver may be: division may err by 2.5 ULP.
+/// let function = module.function("third").ok_or("it is there")?;
+/// let args = Columns { columns: vec![vec![1.0_f32.to_bits()]], rows: 1 };
+/// let shadow = interpreter.shadow(function, &args, None)?;
+/// let ShadowColumn::Float { exact, bound, .. } = &shadow.columns[0] else { return Err("a float".into()) };
+/// assert_eq!(exact[0], 1.0 / 3.0);
+/// assert!(bound[0] > 0.0 && bound[0] < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Interpreter<'m> {
     module: &'m ValidModule,

@@ -33,6 +33,23 @@ pub struct EntryLayout {
 
 /// Adds a compute entry point that applies `function` to each row of its argument buffers.
 ///
+/// ```
+/// use lobe_codegen::emit::{reflect, with_entry};
+/// use lobe_codegen::prelude::*;
+///
+/// /// Halves.
+/// #[kernel]
+/// pub fn halved(x: f32) -> f32 {
+///     0.5 * x
+/// }
+///
+/// let library = lobe_codegen::lower(&lobe_codegen::kernels![halved])?;
+/// let function = library.function("halved").ok_or("it is there")?;
+/// let (module, layout) = with_entry(&library, function, 64)?;
+/// assert_eq!((layout.count_binding, reflect(&module).entries[0].workgroup_size), (2, [64, 1, 1]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// When the function takes or returns something that no buffer holds, returns nothing, or when the
 /// result is not valid (a workgroup size out of bounds, say).

@@ -288,6 +288,25 @@ pub enum EmitError {
 
 /// Writes `module` for `target`.
 ///
+/// ```
+/// use lobe_codegen::emit::{Options, Target, emit};
+/// use lobe_codegen::prelude::*;
+///
+/// /// Keeps `x` at 0 and above.
+/// #[kernel]
+/// pub fn positive(x: f32) -> f32 {
+///     max(x, 0.0)
+/// }
+///
+/// let module = lobe_codegen::lower(&lobe_codegen::kernels![positive])?;
+/// let plain = Options { docs: false, header: false, ..Options::default() };
+/// let wgsl = emit(&module, Target::Wgsl, &plain)?;
+/// assert_eq!(wgsl.content.text(), Some("fn positive(x: f32) -> f32 {\n    return max(x, 0f);\n}\n"));
+/// // Vulkan takes no SPIR-V without an entry point.
+/// assert!(emit(&module, Target::Spirv, &plain).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// When a name is not portable or two names clash, when the target cannot express the module, and
 /// when SPIR-V is asked of a module without entry points.

@@ -76,6 +76,27 @@ pub const fn expect_function(callee: Callee) -> FunctionRef {
 ///
 /// The same kernels in the same order give the same module.
 ///
+/// ```
+/// use lobe_codegen::prelude::*;
+///
+/// /// Squares.
+/// #[kernel]
+/// pub fn square(x: f32) -> f32 {
+///     x * x
+/// }
+///
+/// /// Squares twice.
+/// #[kernel]
+/// pub fn fourth_power(x: f32) -> f32 {
+///     square(square(x))
+/// }
+///
+/// // What a kernel calls comes along.
+/// let module = lobe_codegen::lower(&lobe_codegen::kernels![fourth_power])?;
+/// assert!(module.function("square").is_some());
+/// # Ok::<(), lobe_codegen::lower::LowerError>(())
+/// ```
+///
 /// # Errors
 /// With the Rust line and caret, when a kernel's types do not fit, its names clash, it calls itself,
 /// or naga refuses the outcome.

@@ -78,6 +78,23 @@ pub struct PackageFile {
 
 /// The package of the library `module`, whose kernels are called `kernels`; every name of it begins with `prefix`.
 ///
+/// ```
+/// use lobe_codegen::package::{Package, package};
+/// use lobe_codegen::prelude::*;
+///
+/// /// Brightens.
+/// #[kernel]
+/// pub fn brighten(colour: Vec3, factor: f32) -> Vec3 {
+///     factor * colour
+/// }
+///
+/// let module = lobe_codegen::lower(&lobe_codegen::kernels![brighten])?;
+/// let files = package(&module, &["brighten".to_owned()], Package::Unity, Package::Unity.prefix())?;
+/// assert!(files.iter().any(|file| file.path == "package.json"));
+/// assert!(files.iter().any(|file| file.text.contains("float3 lobe_brighten(float3 colour, float factor)")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// When a name is not portable, or a language cannot express the module.
 pub fn package(

@@ -67,6 +67,32 @@ struct Field {
 /// no buffer can hold, whose names stand in a comment.
 ///
 /// A structure with booleans has no layout: where an entry point takes it, it travels as `NAME_in_buffer`.
+///
+/// ```
+/// use lobe_codegen::emit::{Host, host};
+/// use lobe_codegen::prelude::*;
+///
+/// /// A ray.
+/// #[kernel]
+/// pub struct Ray {
+///     /// Where it begins.
+///     pub origin: Vec3,
+///     /// Where it goes.
+///     pub direction: Vec3,
+/// }
+///
+/// /// The point at distance `t`.
+/// #[kernel]
+/// pub fn point_at(ray: Ray, t: f32) -> Vec3 {
+///     ray.origin + t * ray.direction
+/// }
+///
+/// let header = host(&lobe_codegen::lower(&lobe_codegen::kernels![point_at])?, Host::C);
+/// // Three floats take the room of four.
+/// assert!(header.contains("float origin[3];\n    uint32_t _pad0[1];"));
+/// assert!(header.contains("static_assert(offsetof(Ray, direction) == 16"));
+/// # Ok::<(), lobe_codegen::lower::LowerError>(())
+/// ```
 #[must_use]
 pub fn host(module: &ValidModule, host: Host) -> String {
     let module = module.module();
