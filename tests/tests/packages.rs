@@ -41,7 +41,7 @@ fn a_package_says_what_is_in_it() {
         assert_eq!(paths.len(), files.len(), "{}", kind.name());
         let readme = text(&files, "README.md");
         for name in names() {
-            let name = kind.name_of(&format!("{}{name}", kind.prefix()));
+            let name = kind.name_of(kind.prefix(), &name);
             assert!(readme.contains(&format!("- `{name}`\n")), "{}: {name}", kind.name());
         }
         let longest =
@@ -172,6 +172,6 @@ fn every_kernel_can_be_imported_in_bevy() {
         .map(|module| module.sanitized_source.clone());
     let text = module.unwrap_or_else(|e| panic!("{e}"));
     for name in names() {
-        assert!(text.contains(&format!("fn {}", Package::Bevy.name_of(&name))), "{name}");
+        assert!(text.contains(&format!("fn {}", Package::Bevy.name_of("", &name))), "{name}");
     }
 }

@@ -39,7 +39,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
     /// Put this before every name that is declared: of functions, structures, constants, buffers and entry points;
-    /// packages for Unity, Unreal and Godot have `lobe_` unless something else is said
+    /// packages for Unity, Unreal, Godot and three.js have `lobe_` unless something else is said
     #[arg(long)]
     prefix: Option<String>,
     /// Write structures for a host too, laid out as shaders read them; more than one language may be given
@@ -82,6 +82,8 @@ pub(crate) enum PackageName {
     Unreal,
     /// `.gdshaderinc`
     Godot,
+    /// A module of functions for three.js
+    Three,
 }
 
 impl From<PackageName> for Package {
@@ -92,6 +94,7 @@ impl From<PackageName> for Package {
             PackageName::Unity => Self::Unity,
             PackageName::Unreal => Self::Unreal,
             PackageName::Godot => Self::Godot,
+            PackageName::Three => Self::Three,
         }
     }
 }

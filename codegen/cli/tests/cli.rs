@@ -155,6 +155,11 @@ fn a_package_is_a_folder_for_an_engine() {
         ("unity", "ShaderLibrary/Lobe.hlsl", "float lobe_sg_eval(float3 dir, lobe_Sg sg)"),
         ("unreal", "Shaders/Lobe.ush", "#pragma once"),
         ("godot", "lobe/lobe.gdshaderinc", "float lobe_sg_eval(vec3 dir, lobe_Sg sg)"),
+        (
+            "three",
+            "lobe.js",
+            "export const sg_eval = wgslFn(`fn lobe_sg_eval(dir: vec3<f32>, sg: lobe_Sg) -> f32",
+        ),
     ] {
         let written = assert_holds(&lobe(&["emit", "sg_eval", "--package", engine, "--out", out]));
         assert!(written.contains(path) && written.contains("README.md"), "{engine}: {written}");

@@ -31,7 +31,7 @@ mod prefix;
 mod readable;
 pub mod reflect;
 mod rename;
-mod scan;
+pub(crate) mod scan;
 mod scope;
 mod slots;
 mod spirv;
@@ -276,6 +276,11 @@ pub enum EmitError {
         /// The panic's words.
         message: String,
     },
+    /// A name that JavaScript has another use for, in a package that is a module of JavaScript.
+    #[error(
+        "`{0}` cannot be exported from a module of JavaScript, which uses that word itself; choose another name"
+    )]
+    Export(String),
     /// A function that no entry point can be made for.
     #[error("no entry point can be made for `{function}`: {reason}")]
     Entry {

@@ -2,16 +2,16 @@
 
 /// A piece of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Piece<'a> {
+pub(crate) struct Piece<'a> {
     /// The characters.
-    pub(super) text: &'a str,
+    pub(crate) text: &'a str,
     /// What they are.
-    pub(super) kind: PieceKind,
+    pub(crate) kind: PieceKind,
 }
 
 /// What a piece is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum PieceKind {
+pub(crate) enum PieceKind {
     /// An identifier or keyword.
     Word,
     /// The same behind a dot: a member, a method or a swizzle.
@@ -25,7 +25,7 @@ pub(super) enum PieceKind {
 }
 
 /// Cuts `text` into pieces; together they are the text.
-pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
+pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     // Shaders have a piece for every three characters or so.
     let mut out: Vec<Piece<'_>> = Vec::with_capacity(text.len() / 3);
     let mut rest = text;
@@ -106,7 +106,7 @@ fn string_length(rest: &str) -> Option<usize> {
 
 /// Cuts pieces into items: each ends with a `;` outside of braces, or with the brace that closes it; a line of the
 /// preprocessor is one.
-pub(super) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
+pub(crate) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
     let mut out = Vec::new();
     let (mut start, mut depth) = (0, 0usize);
     for (i, piece) in pieces.iter().enumerate() {

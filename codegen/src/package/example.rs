@@ -1,7 +1,7 @@
 //! Examples: a shader that applies a kernel to rows of buffers, or to numbers that stand there.
 
 use super::Contents;
-use crate::emit::reflect::{FunctionInfo, Reflection};
+use crate::emit::reflect::{FunctionInfo, MemberInfo, Reflection};
 use crate::emit::{Target, reflect};
 
 /// A kernel that an example calls.
@@ -12,12 +12,21 @@ pub(super) struct Example {
 
 /// The first kernel whose arguments and result are scalars, vectors and structures.
 pub(super) fn of(contents: &Contents<'_>) -> Option<Example> {
+    such_that(contents, |_| true)
+}
+
+/// The first of them for which `is_wanted`.
+pub(super) fn such_that(
+    contents: &Contents<'_>,
+    is_wanted: impl Fn(&FunctionInfo) -> bool,
+) -> Option<Example> {
     let reflection = reflect(contents.module);
     let is_simple = |ty: &str| !ty.starts_with("array") && !ty.starts_with("ptr") && ty != "bool";
     let fits = |f: &&FunctionInfo| {
         f.parameters.iter().all(|p| is_simple(&p.ty)) && f.returns.as_deref().is_some_and(is_simple)
     };
-    let named = |name: &String| reflection.functions.iter().filter(fits).find(|f| f.name == *name);
+    let named =
+        |name: &String| reflection.functions.iter().filter(fits).find(|f| f.name == *name && is_wanted(f));
     let function = contents.prefixed.iter().find_map(named).cloned()?;
     Some(Example { function, reflection })
 }
@@ -50,6 +59,11 @@ impl Example {
             "vec4<f32>" => "vec4(0.1, 0.2, 0.3, 0.4)".to_owned(),
             other => format!("{other}(0)"),
         }
+    }
+
+    /// The members of a structure; `None` for other types.
+    pub(super) fn members(&self, ty: &str) -> Option<&[MemberInfo]> {
+        self.reflection.structs.iter().find(|s| s.name == ty).map(|s| s.members.as_slice())
     }
 
     /// How a float is made of the result: its first component or member.

@@ -8,14 +8,18 @@
 //! | `unity` | Unity | HLSL with an include guard | `lobe_..` |
 //! | `unreal` | Unreal Engine | HLSL (`.ush`) | `lobe_..` |
 //! | `godot` | Godot 4 | its shading language (`.gdshaderinc`) | `lobe_..` |
+//! | `three` | three.js, `WebGPURenderer` | WGSL in functions of TSL, a module of JavaScript (`lobe.js`) | exported as declared; `lobe_..` in the WGSL |
 //!
 //! Engines define `PI`, `TWO_PI` and their like as macros or constants for every shader; hence the prefix.
+//! three.js declares nothing with it either, and gives a function whose name is taken another one, under which the
+//! functions that call it do not look for it.
 
 mod bevy;
 mod example;
 mod godot;
 mod hlsl;
 mod plain;
+mod three;
 
 use crate::ValidModule;
 use crate::emit::{EmitError, Options, Target, emit, prefixed, reflect, spelt, without_last_digits};
@@ -33,13 +37,15 @@ pub enum Package {
     Unreal,
     /// An include file for Godot 4.
     Godot,
+    /// A module of functions for three.js.
+    Three,
 }
 
 impl Package {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Plain, Self::Bevy, Self::Unity, Self::Unreal, Self::Godot];
+    pub const ALL: [Self; 6] = [Self::Plain, Self::Bevy, Self::Unity, Self::Unreal, Self::Godot, Self::Three];
 
-    /// Its name: `plain`, `bevy`, `unity`, `unreal`, `godot`.
+    /// Its name: `plain`, `bevy`, `unity`, `unreal`, `godot`, `three`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
@@ -47,14 +53,16 @@ impl Package {
             Self::Unity => "unity",
             Self::Unreal => "unreal",
             Self::Godot => "godot",
+            Self::Three => "three",
         }
     }
 
-    /// What it calls a kernel.
-    pub fn name_of(self, name: &str) -> String {
+    /// What its users call the kernel `name`, when names begin with `prefix`.
+    pub fn name_of(self, prefix: &str, name: &str) -> String {
         match self {
-            Self::Bevy => spelt(name),
-            Self::Plain | Self::Unity | Self::Unreal | Self::Godot => name.to_owned(),
+            Self::Bevy => spelt(&format!("{prefix}{name}")),
+            Self::Plain | Self::Unity | Self::Unreal | Self::Godot => format!("{prefix}{name}"),
+            Self::Three => name.to_owned(),
         }
     }
 
@@ -62,7 +70,7 @@ impl Package {
     pub fn prefix(self) -> &'static str {
         match self {
             Self::Plain | Self::Bevy => "",
-            Self::Unity | Self::Unreal | Self::Godot => "lobe_",
+            Self::Unity | Self::Unreal | Self::Godot | Self::Three => "lobe_",
         }
     }
 }
@@ -105,10 +113,18 @@ pub fn package(
 ) -> Result<Vec<PackageFile>, EmitError> {
     let module = if prefix.is_empty() { module.clone() } else { prefixed(module, prefix)? };
     let module = if package == Package::Bevy { without_last_digits(&module)? } else { module };
+    let spell = |name: &String| match package {
+        Package::Bevy => package.name_of(prefix, name),
+        Package::Plain | Package::Unity | Package::Unreal | Package::Godot | Package::Three => {
+            format!("{prefix}{name}")
+        }
+    };
     let contents = Contents {
-        prefixed: kernels.iter().map(|name| package.name_of(&format!("{prefix}{name}"))).collect(),
-        command: command(kernels, package, prefix),
         module: &module,
+        prefix,
+        prefixed: kernels.iter().map(spell).collect(),
+        called: kernels.iter().map(|name| package.name_of(prefix, name)).collect(),
+        command: command(kernels, package, prefix),
     };
     match package {
         Package::Plain => plain::files(&contents),
@@ -116,6 +132,7 @@ pub fn package(
         Package::Unity => hlsl::unity(&contents),
         Package::Unreal => hlsl::unreal(&contents),
         Package::Godot => godot::files(&contents),
+        Package::Three => three::files(&contents),
     }
 }
 
@@ -134,8 +151,12 @@ fn command(kernels: &[String], package: Package, prefix: &str) -> String {
 struct Contents<'a> {
     /// The library, under the package's names.
     module: &'a ValidModule,
-    /// The names of its kernels.
+    /// What every name of it begins with.
+    prefix: &'a str,
+    /// The names of its kernels there.
     prefixed: Vec<String>,
+    /// What users call them.
+    called: Vec<String>,
     /// The command that writes it.
     command: String,
 }
@@ -159,7 +180,7 @@ impl Contents<'_> {
 
     /// A page that says what lies here and how it is used.
     fn readme(&self, title: &str, usage: &str) -> PackageFile {
-        let kernels: String = self.prefixed.iter().map(|name| format!("- `{name}`\n")).collect();
+        let kernels: String = self.called.iter().map(|name| format!("- `{name}`\n")).collect();
         let text = format!(
             "# {title}\n\nWritten by Lobe {}; write it again with `{}`.\n\n{usage}\n## Kernels\n\n{kernels}\nEach \
              function's comment states its source, its arguments, and by how much it may err.\n",
