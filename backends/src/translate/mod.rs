@@ -5,6 +5,7 @@
 //! - [`glslang`]: Khronos' GLSL compiler, run as a child process.
 //! - [`dawn`]: Google's WebGPU, whose WGSL compiler is Tint, in a process that stays.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
+//! - [`web`]: a browser and three.js, for packages that a page uses.
 //!
 //! ```
 //! use lobe_backends::translate::{Slang, spirv_words};
@@ -32,6 +33,7 @@ mod slang_reflection;
 pub mod spirv_val;
 mod tools;
 mod translators;
+pub mod web;
 
 pub use dawn::Dawn;
 pub use dawn::tint::Tint;

@@ -61,6 +61,22 @@ pub(super) fn program(
     found.ok_or_else(|| TranslateError::NotFound { tool, looked_at: looked_at(), mend })
 }
 
+/// A folder: what the environment's `variable` names, else `path` in the tools folder.
+pub(super) fn folder(variable: &str, path: &str) -> Option<PathBuf> {
+    named(variable).or_else(|| tools_dir().map(|tools| tools.join(path)).filter(|folder| folder.is_dir()))
+}
+
+/// The version of the npm package `name`, which lies in the folder `package`.
+pub(super) fn npm_version(package: &Path, name: &str) -> Result<String, String> {
+    let text =
+        std::fs::read_to_string(package.join("package.json")).map_err(|e| format!("package.json: {e}"))?;
+    let json: serde_json::Value = serde_json::from_str(&text).map_err(|e| format!("package.json: {e}"))?;
+    match (json["name"].as_str(), json["version"].as_str()) {
+        (Some(own), Some(version)) if own == name => Ok(version.to_owned()),
+        _ => Err(format!("its package.json is not that of the npm package {name}")),
+    }
+}
+
 fn named(variable: &str) -> Option<PathBuf> {
     env::var_os(variable).filter(|value| !value.is_empty()).map(PathBuf::from)
 }

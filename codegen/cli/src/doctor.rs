@@ -3,7 +3,7 @@
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use lobe_backends::routes::{Machine, State};
-use lobe_backends::translate::{self, spirv_val};
+use lobe_backends::translate::{self, spirv_val, web};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -48,6 +48,8 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         let version = dawn.node_version().map_err(|e| e.to_string())?;
         Ok(format!("{version}, {}", dawn.node().display()))
     });
+    let three = web::Three::find().map(|three| format!("{}, {}", three.version(), three.modules().display()));
+    let browser = web::browser().map(|path| path.display().to_string());
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
         Tool { name: "dxc", found: dxc.map_err(ToString::to_string) },
@@ -59,6 +61,8 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         },
         Tool { name: "dawn", found: package.map_err(ToString::to_string) },
         Tool { name: "node", found: node },
+        Tool { name: "browser", found: browser.map_err(|e| e.to_string()) },
+        Tool { name: "three.js", found: three.map_err(|e| e.to_string()) },
         Tool {
             name: "tools folder",
             found: folder.ok_or_else(|| "there is none; run tests/setup.sh".to_owned()),

@@ -1,16 +1,17 @@
 //! A page in a browser without a window.
 
-use std::path::PathBuf;
+use lobe_backends::translate::web;
 use std::process::{Command, Stdio};
-
-const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
 /// The document after `script` ran at the end of `page`, at an address that ends in `hash`; `None`, said aloud, where
 /// there is no browser.
 pub(crate) fn show(page: &str, hash: &str, script: &str) -> Option<String> {
-    let Some(browser) = find() else {
-        super::say("no browser was found, so pages were not looked at; install chromium");
-        return None;
+    let browser = match web::browser() {
+        Ok(browser) => browser,
+        Err(error) => {
+            super::say(&format!("pages were not looked at: {error}"));
+            return None;
+        }
     };
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("page.html");
@@ -29,13 +30,4 @@ pub(crate) fn show(page: &str, hash: &str, script: &str) -> Option<String> {
     // What was put in as data is not what is shown.
     let (before, rest) = shown.split_once("<script type=\"application/json\"").expect("the page");
     Some(before.to_owned() + rest.split_once("</html>").map_or("", |(_, after)| after))
-}
-
-fn find() -> Option<PathBuf> {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let folders: Vec<PathBuf> = std::env::split_paths(&path).collect();
-    NAMES
-        .iter()
-        .flat_map(|name| folders.iter().map(move |folder| folder.join(name)))
-        .find(|file| file.is_file())
 }

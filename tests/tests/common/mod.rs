@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod browser;
+pub(crate) mod site;
 
 use lobe_backends::executor::{ExecError, Executor, Interp, Native, Program};
 use lobe_backends::route::Route;

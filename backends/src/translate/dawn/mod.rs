@@ -12,7 +12,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{TranslateError, tools_dir};
+use super::{TranslateError, tools, tools_dir};
 use process::Process;
 
 const DAWN: &str = "Dawn";
@@ -46,7 +46,7 @@ impl Dawn {
     ///
     /// [`TranslateError::Unusable`] if that is no npm package of Dawn's.
     pub fn at(node: PathBuf, package: PathBuf) -> Result<Self, TranslateError> {
-        match version(&package) {
+        match tools::npm_version(&package, "webgpu") {
             Ok(version) => Ok(Self { node, package, version }),
             Err(reason) => Err(TranslateError::Unusable { tool: DAWN, path: package, reason }),
         }
@@ -96,7 +96,7 @@ fn named(variable: &str) -> Option<PathBuf> {
     env::var_os(variable).filter(|value| !value.is_empty()).map(PathBuf::from)
 }
 
-fn find_node() -> Result<PathBuf, TranslateError> {
+pub(super) fn find_node() -> Result<PathBuf, TranslateError> {
     if let Some(named) = named("LOBE_NODE") {
         return Ok(named);
     }
@@ -111,25 +111,11 @@ fn find_node() -> Result<PathBuf, TranslateError> {
 }
 
 fn find_package() -> Result<PathBuf, TranslateError> {
-    if let Some(named) = named("LOBE_DAWN") {
-        return Ok(named);
-    }
-    let folder = tools_dir().map(|tools| tools.join("dawn/node_modules/webgpu"));
-    folder.filter(|folder| folder.is_dir()).ok_or_else(|| TranslateError::NotFound {
+    tools::folder("LOBE_DAWN", "dawn/node_modules/webgpu").ok_or_else(|| TranslateError::NotFound {
         tool: DAWN,
         looked_at: vec!["dawn/node_modules/webgpu in the tools folder".to_owned()],
         mend: "run tests/setup.sh, or set LOBE_DAWN to the folder of the npm package webgpu",
     })
-}
-
-fn version(package: &Path) -> Result<String, String> {
-    let text =
-        std::fs::read_to_string(package.join("package.json")).map_err(|e| format!("package.json: {e}"))?;
-    let json: serde_json::Value = serde_json::from_str(&text).map_err(|e| format!("package.json: {e}"))?;
-    match (json["name"].as_str(), json["version"].as_str()) {
-        (Some("webgpu"), Some(version)) => Ok(version.to_owned()),
-        _ => Err("its package.json is not that of the npm package webgpu".to_owned()),
-    }
 }
 
 fn node_version(node: &Path) -> Result<String, String> {
