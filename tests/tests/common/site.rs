@@ -20,6 +20,24 @@ pub(crate) struct Site {
     pub(crate) folders: Vec<(&'static str, PathBuf)>,
 }
 
+/// What a page draws and computes with, on a driver of the browser's own.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Gpu {
+    WebGpu,
+    WebGl,
+}
+
+impl Gpu {
+    fn options(self) -> &'static [&'static str] {
+        match self {
+            Self::WebGpu => &["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
+            Self::WebGl => {
+                &["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+            }
+        }
+    }
+}
+
 /// What pages sent to `/sent/NAME`, by name.
 pub(crate) type Sent = BTreeMap<String, Vec<u8>>;
 
@@ -27,9 +45,9 @@ pub(crate) type Sent = BTreeMap<String, Vec<u8>>;
 const PATIENCE: Duration = Duration::from_secs(300);
 
 impl Site {
-    /// Shows a page in a browser with WebGPU on a driver of its own until the page has sent `done`.
+    /// Shows a page in a browser until the page has sent `done`.
     #[track_caller]
-    pub(crate) fn visit(self, page: &str) -> Sent {
+    pub(crate) fn visit(self, page: &str, gpu: Gpu) -> Sent {
         let listener = TcpListener::bind(("127.0.0.1", 0)).expect("a port");
         let address = listener.local_addr().expect("an address");
         let is_over = Arc::new(AtomicBool::new(false));
@@ -39,7 +57,7 @@ impl Site {
             move || serve(&listener, &site, &is_over, &sender)
         });
         let profile = tempfile::tempdir().expect("a folder");
-        let mut browser = browser(&format!("http://{address}{page}"), profile.path());
+        let mut browser = browser(&format!("http://{address}{page}"), gpu, profile.path());
         let sent = collect(&receiver, &mut browser);
         let _ = browser.kill();
         let _ = browser.wait();
@@ -51,12 +69,12 @@ impl Site {
     }
 }
 
-fn browser(url: &str, profile: &std::path::Path) -> Child {
+fn browser(url: &str, gpu: Gpu, profile: &std::path::Path) -> Child {
     let program = web::browser().unwrap_or_else(|e| panic!("{e}"));
     Command::new(program)
         .args(["--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-sync"])
         .args(["--disable-background-networking", "--disable-component-update", "--window-size=800,600"])
-        .args(["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"])
+        .args(gpu.options())
         .args([format!("--user-data-dir={}", profile.display()), url.to_owned()])
         .stdin(Stdio::null())
         .stdout(Stdio::null())
@@ -149,6 +167,7 @@ fn kind(path: &str) -> &'static str {
     match path.rsplit_once('.').map(|(_, extension)| extension) {
         Some("html") => "text/html; charset=utf-8",
         Some("js") => "text/javascript; charset=utf-8",
+        Some("wasm") => "application/wasm",
         Some("json") => "application/json",
         Some("ico") => "image/x-icon",
         _ => "application/octet-stream",

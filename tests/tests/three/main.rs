@@ -7,7 +7,7 @@ mod replay;
 
 use common::{plan, tool};
 use lobe_backends::executor::Executor;
-use lobe_backends::translate::web::{self, Three};
+use lobe_backends::translate::web;
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 use lobe_codegen::package::{Package, PackageFile, package};
@@ -27,14 +27,14 @@ fn files() -> Vec<PackageFile> {
 
 /// three.js and a browser, or that one of them is not here.
 #[track_caller]
-fn three() -> Option<Three> {
+fn three() -> Option<web::Package> {
     tool(web::browser())?;
-    tool(Three::find())
+    tool(web::three())
 }
 
 /// What is wrong with `kernels` as three.js builds them out of `files` and the browser's driver runs them: what the
 /// page says, and what lies outside of its derived bound.
-fn faults(three: &Three, files: &[PackageFile], kernels: &[FunctionRef]) -> Vec<String> {
+fn faults(three: &web::Package, files: &[PackageFile], kernels: &[FunctionRef]) -> Vec<String> {
     let plan = plan(64);
     let replay = Replay::default();
     let mut routes: Vec<Box<dyn Executor>> = vec![Box::new(replay.clone())];
@@ -125,7 +125,7 @@ Sg({ axis: vec3(0, 0, 1), sharpness: 8, log_amplitude: float(0) });
 
 #[test]
 fn its_declarations_are_typescript_s() {
-    let (Some(three), Some(node)) = (tool(Three::find()), tool(web::node())) else { return };
+    let (Some(three), Some(node)) = (tool(web::three()), tool(web::node())) else { return };
     let folder = tempfile::tempdir().expect("a folder");
     for file in files() {
         std::fs::write(folder.path().join(&file.path), file.text).expect("writable");

@@ -1,7 +1,7 @@
 //! The pages that the browser is shown.
 
-use crate::common::site::{Sent, Site};
-use lobe_backends::translate::web::Three;
+use crate::common::site::{Gpu, Sent, Site};
+use lobe_backends::translate::web;
 use lobe_codegen::data::{Columns, leaves};
 use lobe_codegen::def::{FunctionDef, FunctionRef, Scalar, TypeDef};
 use lobe_codegen::package::PackageFile;
@@ -13,7 +13,7 @@ use std::path::Path;
 const PRELUDE: &str = include_str!("prelude.js");
 
 /// The package as a folder beside which three.js was installed.
-fn site(three: &Three, files: &[PackageFile]) -> Site {
+fn site(three: &web::Package, files: &[PackageFile]) -> Site {
     let texts = files.iter().map(|file| (format!("/{}", file.path), file.text.clone()));
     let mut site =
         Site { texts: texts.collect(), folders: vec![("/node_modules/", three.modules().to_owned())] };
@@ -40,7 +40,7 @@ fn page(site: &Site, script: &str) -> String {
 
 /// What each kernel gives for its arguments in the browser, or what is wrong with the page.
 pub(crate) fn run(
-    three: &Three,
+    three: &web::Package,
     files: &[PackageFile],
     kernels: &[FunctionRef],
     args: &BTreeMap<String, Columns>,
@@ -49,7 +49,7 @@ pub(crate) fn run(
     let kernels: Vec<Value> = kernels.iter().map(|k| kernel(k(), &args[k().name])).collect();
     site.texts.insert("/kernels.json".to_owned(), Value::from(kernels).to_string());
     site.texts.insert("/kernels.html".to_owned(), page(&site, include_str!("kernels.js")));
-    let sent = site.visit("/kernels.html");
+    let sent = site.visit("/kernels.html", Gpu::WebGpu);
     let said = said(&sent);
     if !said.is_empty() {
         return Err(said);
@@ -62,12 +62,12 @@ pub(crate) fn run(
 }
 
 /// What is wrong with all kernels in one shader.
-pub(crate) fn put_together(three: &Three, files: &[PackageFile]) -> Vec<String> {
+pub(crate) fn put_together(three: &web::Package, files: &[PackageFile]) -> Vec<String> {
     let mut site = site(three, files);
     let kernels: Vec<Value> = KERNELS.iter().map(|k| kernel(k(), &Columns::default())).collect();
     site.texts.insert("/kernels.json".to_owned(), Value::from(kernels).to_string());
     site.texts.insert("/together.html".to_owned(), page(&site, include_str!("together.js")));
-    said(&site.visit("/together.html"))
+    said(&site.visit("/together.html", Gpu::WebGpu))
 }
 
 fn columns(name: &str, words: &[u32], args: &Columns) -> Columns {
@@ -128,7 +128,7 @@ fn scalar_name(scalar: Scalar) -> &'static str {
 }
 
 /// The colour in the middle of the example's picture, which is kept as `three.png` in the build's folder for tests.
-pub(crate) fn show_example(three: &Three, files: &[PackageFile]) -> [u8; 3] {
+pub(crate) fn show_example(three: &web::Package, files: &[PackageFile]) -> [u8; 3] {
     let mut site = site(three, files);
     let watch = "let frames = 0;\nrequestAnimationFrame(function watch() {\n    if (drawn.texture && ++frames > 3) \
                  sendPicture(); else requestAnimationFrame(watch);\n});\n";
@@ -138,7 +138,7 @@ pub(crate) fn show_example(three: &Three, files: &[PackageFile]) -> [u8; 3] {
         1,
     );
     site.texts.insert("/example.html".to_owned(), page);
-    let sent = site.visit("/example.html");
+    let sent = site.visit("/example.html", Gpu::WebGpu);
     assert_eq!(said(&sent), Vec::<String>::new());
     let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).join("three.png");
     std::fs::write(kept, &sent["picture.png"]).expect("writable");
