@@ -5,6 +5,7 @@
 
 use super::mark::Role;
 use naga::{DocComments, Handle, Module, Type};
+use std::borrow::Cow;
 
 /// The doc comment of an item, with a line break at its end; empty when there is none.
 pub(super) fn item(module: &Module, role: Role) -> String {
@@ -18,7 +19,7 @@ pub(super) fn member(module: &Module, ty: Handle<Type>, index: usize) -> String 
 
 /// The lines as the author wrote them, without comment marks.
 pub(super) fn plain(module: &Module, role: Role) -> Vec<String> {
-    lookup(module, role).into_iter().flat_map(clean).collect()
+    lookup(module, role).into_iter().flat_map(clean).map(Cow::into_owned).collect()
 }
 
 fn lookup(module: &Module, role: Role) -> Option<&[String]> {
@@ -36,29 +37,31 @@ fn lookup(module: &Module, role: Role) -> Option<&[String]> {
 }
 
 fn comment(lines: &[String], indent: &str) -> String {
-    let lines = without_examples(lines);
-    let line = |text: String| match text.as_str() {
-        "" => format!("{indent}///\n"),
-        text => format!("{indent}/// {}\n", without_links(text)),
-    };
-    let mut lines: Vec<String> = clean(&lines).collect();
-    lines.dedup_by(|next, line| next.is_empty() && line.is_empty());
-    lines.into_iter().map(line).collect()
+    let mut out = String::new();
+    let mut is_behind_blank = false;
+    for line in clean(without_examples(lines)) {
+        if line.is_empty() && is_behind_blank {
+            continue;
+        }
+        is_behind_blank = line.is_empty();
+        out.push_str(indent);
+        out.push_str(if is_behind_blank { "///" } else { "/// " });
+        out.push_str(&without_links(&line));
+        out.push('\n');
+    }
+    out
 }
 
 /// Without code blocks, which are examples in Rust, and blank lines that they leave at the end.
-fn without_examples(lines: &[String]) -> Vec<String> {
+fn without_examples(lines: &[String]) -> Vec<&String> {
     let mut inside = false;
-    let mut kept: Vec<String> = lines
-        .iter()
-        .filter(|line| {
-            let is_fence = strip_marks(line).trim_start().starts_with("```");
-            let keep = !inside && !is_fence;
-            inside ^= is_fence;
-            keep
-        })
-        .cloned()
-        .collect();
+    let is_kept = |line: &&String| {
+        let is_fence = strip_marks(line).trim_start().starts_with("```");
+        let keep = !inside && !is_fence;
+        inside ^= is_fence;
+        keep
+    };
+    let mut kept: Vec<&String> = lines.iter().filter(is_kept).collect();
     while kept.last().is_some_and(|line| strip_marks(line).is_empty()) {
         kept.pop();
     }
@@ -66,20 +69,27 @@ fn without_examples(lines: &[String]) -> Vec<String> {
 }
 
 /// One line each, and nothing in it that would end the comment or drag the next line into it.
-fn clean(lines: &[String]) -> impl Iterator<Item = String> + '_ {
-    lines.iter().flat_map(|text| text.split('\n')).map(|line| {
+fn clean<'a>(lines: impl IntoIterator<Item = &'a String>) -> impl Iterator<Item = Cow<'a, str>> {
+    lines.into_iter().flat_map(|text| text.split('\n')).map(|line| {
         let line = strip_marks(line);
         // Every other line break that WGSL knows, and control characters, become blanks.
         let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
-        let line: String = line.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
         // In HLSL a backslash at the end continues the comment on the next line.
-        line.trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()
+        let is_end = |c: char| c.is_whitespace() || c == '\\';
+        if line.chars().any(is_break) {
+            let line: String = line.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
+            return Cow::Owned(line.trim_end_matches(is_end).to_owned());
+        }
+        Cow::Borrowed(line.trim_end_matches(is_end))
     })
 }
 
 /// Links to other items are Rust's: here their names will do.
-pub(super) fn without_links(line: &str) -> String {
-    line.replace("[`", "`").replace("`]", "`")
+pub(super) fn without_links(line: &str) -> Cow<'_, str> {
+    match line.contains("[`") || line.contains("`]") {
+        true => line.replace("[`", "`").replace("`]", "`").into(),
+        false => line.into(),
+    }
 }
 
 /// Front ends keep the comment marks, definitions do not.

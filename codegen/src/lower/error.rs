@@ -55,7 +55,7 @@ pub(super) type Lowered<T> = Result<T, Fail>;
 
 /// The message with the source lines and a caret under each span.
 pub(super) fn render(message: &str, source: &Source, labels: &[(Span, String)]) -> String {
-    let file = Excerpt(source);
+    let file = Excerpt::new(source);
     let mut diagnostic = Diagnostic::<()>::error().with_message(message);
     for (i, (span, text)) in labels.iter().enumerate() {
         let range = file.range(span);
@@ -70,28 +70,33 @@ pub(super) fn render(message: &str, source: &Source, labels: &[(Span, String)]) 
     }
 }
 
-/// Byte range of `span` in the text of `source`.
-pub(super) fn byte_range(source: &Source, span: &Span) -> Range<usize> {
-    Excerpt(source).range(span)
+/// Lines of a file, numbered as in the file.
+pub(super) struct Excerpt<'a> {
+    source: &'a Source,
+    /// Where each line of the text begins.
+    starts: Vec<usize>,
 }
 
-/// Lines of a file, numbered as in the file.
-struct Excerpt<'a>(&'a Source);
+impl<'a> Excerpt<'a> {
+    pub(super) fn new(source: &'a Source) -> Self {
+        let ends = source.text.match_indices('\n').map(|(at, _)| at + 1);
+        Self { source, starts: std::iter::once(0).chain(ends).collect() }
+    }
 
-impl Excerpt<'_> {
     fn line_start(&self, line: usize) -> usize {
-        self.0.text.split_inclusive('\n').take(line).map(str::len).sum()
+        self.starts.get(line).copied().unwrap_or(self.source.text.len())
     }
 
     fn offset(&self, (line, column): (u32, u32)) -> usize {
-        let start = self.line_start(line.saturating_sub(self.0.line) as usize);
-        let rest = &self.0.text[start.min(self.0.text.len())..];
+        let start = self.line_start(line.saturating_sub(self.source.line) as usize);
+        let rest = &self.source.text[start..];
         start + rest.char_indices().nth(column as usize).map_or(rest.len(), |(i, _)| i)
     }
 
-    fn range(&self, span: &Span) -> Range<usize> {
-        let start = self.offset(span.start).min(self.0.text.len());
-        start..self.offset(span.end).clamp(start, self.0.text.len())
+    /// The bytes of `span` in the text.
+    pub(super) fn range(&self, span: &Span) -> Range<usize> {
+        let start = self.offset(span.start).min(self.source.text.len());
+        start..self.offset(span.end).clamp(start, self.source.text.len())
     }
 }
 
@@ -101,19 +106,19 @@ impl<'a> Files<'a> for Excerpt<'a> {
     type Source = &'a str;
 
     fn name(&'a self, (): ()) -> Result<Self::Name, FilesError> {
-        Ok(self.0.file)
+        Ok(self.source.file)
     }
 
     fn source(&'a self, (): ()) -> Result<Self::Source, FilesError> {
-        Ok(self.0.text)
+        Ok(self.source.text)
     }
 
     fn line_index(&'a self, (): (), byte: usize) -> Result<usize, FilesError> {
-        Ok(self.0.text[..byte.min(self.0.text.len())].matches('\n').count())
+        Ok(self.source.text[..byte.min(self.source.text.len())].matches('\n').count())
     }
 
     fn line_number(&'a self, (): (), index: usize) -> Result<usize, FilesError> {
-        Ok(self.0.line as usize + index)
+        Ok(self.source.line as usize + index)
     }
 
     fn line_range(&'a self, (): (), index: usize) -> Result<Range<usize>, FilesError> {

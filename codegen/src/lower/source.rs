@@ -1,6 +1,6 @@
 //! From naga's spans back to Rust lines.
 
-use super::error::{LowerError, byte_range, render};
+use super::error::{Excerpt, LowerError, render};
 use crate::def::{FunctionDef, Source, Span};
 use crate::source::{Sources, span_of};
 use crate::validate::ValidateError;
@@ -16,12 +16,12 @@ pub(super) struct SourceMap {
 /// Turns spans of one item into naga's.
 pub(super) struct Spans {
     base: u32,
-    source: &'static Source,
+    lines: Excerpt<'static>,
 }
 
 impl Spans {
     pub(super) fn naga(&self, span: Span) -> naga::Span {
-        let range = byte_range(self.source, &span);
+        let range = self.lines.range(&span);
         naga::Span::new(self.base + range.start as u32, self.base + range.end as u32)
     }
 }
@@ -34,7 +34,7 @@ impl SourceMap {
 
     /// The spans of an item's source.
     pub(super) fn spans(&mut self, source: &'static Source) -> Spans {
-        Spans { base: self.sources.base(source), source }
+        Spans { base: self.sources.base(source), lines: Excerpt::new(source) }
     }
 
     /// The sources so far.

@@ -22,7 +22,7 @@ fn grouped(x: f32, n: u32) -> f32 {
 
     let mut sum = 0.0;
     for i in 0..n {
-        let t = sum * x;
+        let t = sum * x + i as f32;
 
         sum += t + a;
     }
