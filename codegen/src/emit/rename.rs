@@ -7,6 +7,7 @@ use super::scope::{self, Taken};
 use super::{Target, docs};
 use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
 use naga::{Function, Module};
+use std::borrow::Cow;
 
 /// Renames the items of one text.
 pub(super) struct Renamer<'a> {
@@ -40,10 +41,10 @@ impl<'a> Renamer<'a> {
         for word in words.into_iter().filter(|word| marks.at(word).is_none() && scope::helper(word).is_none())
         {
             let name = spelled(word, marks);
-            if word.contains(PREFIX) && declared.contains(name.as_str()) {
-                return Err(ClashError::Helper { name, target });
+            if word.contains(PREFIX) && declared.contains(name.as_ref()) {
+                return Err(ClashError::Helper { name: name.into_owned(), target });
             }
-            taken.insert(name);
+            taken.insert(name.into_owned());
         }
         Ok(Self { module, marks, target, taken })
     }
@@ -64,10 +65,13 @@ impl<'a> Renamer<'a> {
                 let line = text.rfind('\n').map_or(0, |i| i + 1);
                 text.insert_str(line, &docs::member(self.module, *ty, *i));
             }
-            match (piece.kind, locals.get(piece.text)) {
-                (PieceKind::Word, Some(name)) => text.push_str(name),
-                (PieceKind::Word | PieceKind::Selector, _) => push_spelled(&mut text, piece.text, self.marks),
-                (PieceKind::Opaque | PieceKind::Space | PieceKind::Mark, _) => text.push_str(piece.text),
+            match piece.kind {
+                PieceKind::Word => match locals.get(piece.text) {
+                    Some(name) => text.push_str(name),
+                    None => text.push_str(&spelled(piece.text, self.marks)),
+                },
+                PieceKind::Selector => text.push_str(&spelled(piece.text, self.marks)),
+                PieceKind::Opaque | PieceKind::Space | PieceKind::Mark => text.push_str(piece.text),
             }
         }
         Ok(Item { text, defines })
@@ -106,7 +110,7 @@ impl<'a> Renamer<'a> {
 
     /// Refuses an item in which one name means two things.
     fn check_hidden(&self, pieces: &[Piece<'_>], locals: &HashMap<&str, String>) -> Result<(), ClashError> {
-        let mut meanings: HashMap<String, &str> = HashMap::default();
+        let mut meanings: HashMap<Cow<'_, str>, &str> = HashMap::default();
         let mut seen = HashSet::default();
         let is_fixed = |p: &Piece<'_>| p.kind == PieceKind::Word && !locals.contains_key(p.text);
         for piece in pieces.iter().filter(|p| is_fixed(p)) {
@@ -121,8 +125,8 @@ impl<'a> Renamer<'a> {
             if meanings.get(&name).is_some_and(|&other| other != piece.text) {
                 let is_function = |m: &&Mark| matches!(m.role, Role::Function(_) | Role::Entry(_));
                 let owner = pieces.iter().filter_map(|p| self.marks.at(p.text)).find(is_function);
-                let item = owner.map_or_else(|| name.clone(), |m| m.exact.clone());
-                return Err(ClashError::Hidden { item, name, target: self.target });
+                let item = owner.map_or_else(|| name.clone().into_owned(), |m| m.exact.clone());
+                return Err(ClashError::Hidden { item, name: name.into_owned(), target: self.target });
             }
             meanings.insert(name, piece.text);
         }
@@ -131,28 +135,25 @@ impl<'a> Renamer<'a> {
 }
 
 /// A word with the declared names in place of the marks inside it.
-fn spelled(word: &str, marks: &Marks) -> String {
-    let mut out = String::new();
-    push_spelled(&mut out, word, marks);
-    out
-}
-
-fn push_spelled(out: &mut String, word: &str, marks: &Marks) {
-    let mut rest = word;
-    while rest.len() >= LENGTH
-        && let Some(at) = rest.find(PREFIX)
-    {
+fn spelled<'w>(word: &'w str, marks: &'w Marks) -> Cow<'w, str> {
+    let Some(first) = mark_in(word) else { return Cow::Borrowed(word) };
+    match marks.at(word) {
+        Some(mark) if word.len() == LENGTH => return Cow::Borrowed(&mark.exact),
+        _ => {}
+    }
+    let (mut out, mut rest, mut next) = (String::new(), word, Some(first));
+    while let Some(at) = next {
         out.push_str(&rest[..at]);
-        match marks.at(&rest[at..]) {
-            Some(mark) => {
-                out.push_str(&mark.exact);
-                rest = &rest[at + LENGTH..];
-            }
-            None => {
-                out.push_str(PREFIX);
-                rest = &rest[at + PREFIX.len()..];
-            }
-        }
+        let known = marks.at(&rest[at..]);
+        out.push_str(known.map_or(PREFIX, |mark| &mark.exact));
+        rest = &rest[at + if known.is_some() { LENGTH } else { PREFIX.len() }..];
+        next = mark_in(rest);
     }
     out.push_str(rest);
+    Cow::Owned(out)
+}
+
+/// Where what may be a mark begins.
+fn mark_in(word: &str) -> Option<usize> {
+    word.as_bytes().windows(PREFIX.len()).position(|bytes| bytes == PREFIX.as_bytes())
 }

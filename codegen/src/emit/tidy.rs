@@ -25,8 +25,9 @@ pub(super) fn finish(
     }
     let mut former_is_line = false;
     for pieces in scan::items(&pieces) {
-        let text = readable::readable(pieces, renamer.function(pieces), marks);
-        let item = renamer.item(&scan::pieces(&text), options.docs)?;
+        let text = renamer.function(pieces).map(|body| readable::text(pieces, body, marks));
+        let shown = text.as_deref().map(readable::pieces);
+        let item = renamer.item(shown.as_deref().unwrap_or(pieces), options.docs)?;
         let item = with_groups(item, definitions, options.docs);
         let (text, is_line) = lay_out(module, &item, options.docs);
         let is_together = former_is_line && is_line;

@@ -8,46 +8,83 @@
 use crate::emit::mark::{self, Marks, Role};
 use crate::emit::scan::{self, PieceKind};
 use crate::emit::tidy::collect_calls;
-use naga::FastHashSet as HashSet;
 use naga::{Expression, Function, Handle, Module, TypeInner};
+use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
+use std::borrow::Cow;
 
 /// The text of `function` with its temporaries in their places.
 pub(super) fn inline(text: &str, module: &Module, function: &Function, marks: &Marks) -> String {
     let movable = movable(module, function);
-    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let mut i = 0;
-    while i < lines.len() {
-        match target(&lines, i, &movable, module, marks) {
-            Some((name, value, at)) => {
-                lines[at] = with_value(&lines[at], &name, &value);
-                lines.remove(i);
-            }
-            None => i += 1,
+    let mut lines: Vec<Cow<'_, str>> = text.lines().map(Cow::Borrowed).collect();
+    let mut uses = uses(&lines);
+    for i in 0..lines.len() {
+        let Some((name, value, at)) = target(&lines, i, &uses, &movable, (module, marks)) else { continue };
+        let (written, moved) = (with_value(&lines[at], name, value), temporaries(value).map(str::to_owned));
+        // What the value uses is used there from now on.
+        for temporary in moved.collect::<Vec<_>>() {
+            uses.entry(temporary).and_modify(|(_, line)| *line = at);
+        }
+        lines[at] = Cow::Owned(written);
+        lines[i] = Cow::Borrowed(GONE);
+    }
+    let mut kept = lines.iter().filter(|line| line.as_ref() != GONE);
+    let mut out = kept.next().map(|line| line.clone().into_owned()).unwrap_or_default();
+    for line in kept {
+        out.push('\n');
+        out.push_str(line);
+    }
+    out
+}
+
+/// What stands for a line that was moved; no writer writes one of these.
+const GONE: &str = "\0";
+
+/// How often each temporary is used, and in which line last.
+type Uses = HashMap<String, (usize, usize)>;
+
+fn uses(lines: &[Cow<'_, str>]) -> Uses {
+    let mut uses = Uses::default();
+    for (i, line) in lines.iter().enumerate() {
+        let declared = declaration(line).map(|(name, _)| name);
+        for name in temporaries(line) {
+            let (count, last) = uses.entry(name.to_owned()).or_insert((0, i));
+            // The line that declares it is no use of it.
+            *count += usize::from(declared != Some(name));
+            *last = i;
         }
     }
-    lines.join("\n")
+    uses
+}
+
+/// The words that writers give to temporaries, `_e7`.
+fn temporaries(text: &str) -> impl Iterator<Item = &str> {
+    let is_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    let bytes = text.as_bytes();
+    let begins = move |at: &usize| bytes[*at..].starts_with(b"_e") && (*at == 0 || !is_word(bytes[at - 1]));
+    (0..bytes.len()).filter(begins).map(move |at| {
+        let length = bytes[at..].iter().position(|&byte| !is_word(byte)).unwrap_or(bytes.len() - at);
+        &text[at..at + length]
+    })
 }
 
 /// What line `i` declares, its value, and the later line that it can be moved to.
-fn target(
-    lines: &[String],
+fn target<'l>(
+    lines: &'l [Cow<'_, str>],
     i: usize,
+    uses: &Uses,
     movable: &HashSet<String>,
-    module: &Module,
-    marks: &Marks,
-) -> Option<(String, String, usize)> {
+    (module, marks): (&Module, &Marks),
+) -> Option<(&'l str, &'l str, usize)> {
     let (name, value) = declaration(&lines[i])?;
-    let is_returned = || lines.get(i + 1).is_some_and(|l| l.trim() == format!("return {name};"));
-    let is_movable = movable.contains(name) || (is_result(name, marks) && is_returned());
-    if !is_movable {
-        return None;
-    }
-    let uses = lines[i + 1..].iter().map(|line| count(line, name));
-    let used: Vec<usize> = uses.enumerate().filter(|(_, n)| *n > 0).map(|(j, _)| i + 1 + j).collect();
-    let [at] = used[..] else { return None };
-    let may_pass = |line: &String| is_pure(line, module, marks);
-    (count(&lines[at], name) == 1 && lines[i + 1..at].iter().all(may_pass))
-        .then(|| (name.to_owned(), value.to_owned(), at))
+    let at = if movable.contains(name) {
+        let &(count, at) = uses.get(name)?;
+        (count == 1).then_some(at)?
+    } else {
+        let is_returned = || lines.get(i + 1).is_some_and(|l| l.trim() == format!("return {name};"));
+        (is_result(name, marks) && is_returned()).then_some(i + 1)?
+    };
+    let may_pass = |line: &Cow<'_, str>| line.as_ref() == GONE || is_pure(line, module, marks);
+    (at > i && lines[i + 1..at].iter().all(may_pass)).then_some((name, value, at))
 }
 
 /// Whether it is the variable that naga's HLSL has for a structure that is returned: called after the structure, with
@@ -70,13 +107,6 @@ fn is_pure(line: &str, module: &Module, marks: &Marks) -> bool {
         Some(Role::Function(callee)) => is_function_of_values(module, callee),
         _ => !matches!(piece.text, "{" | "}"),
     })
-}
-
-fn count(line: &str, name: &str) -> usize {
-    if !line.contains(name) {
-        return 0;
-    }
-    scan::pieces(line).iter().filter(|p| p.kind == PieceKind::Word && p.text == name).count()
 }
 
 fn with_value(line: &str, name: &str, value: &str) -> String {

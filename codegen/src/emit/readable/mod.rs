@@ -10,16 +10,19 @@ use super::mark::Marks;
 use super::scan;
 use naga::{Function, Module};
 
-/// An item's text, made readable; its `body` is the function that it defines, if it defines one.
-pub(super) fn readable(
+/// The text of an item that defines a function, `body`, without temporaries and a last `return;`.
+pub(super) fn text(
     pieces: &[scan::Piece<'_>],
-    body: Option<(&Module, &Function)>,
+    (module, function): (&Module, &Function),
     marks: &Marks,
 ) -> String {
     let text: String = pieces.iter().map(|p| p.text).collect();
-    let Some((module, function)) = body else { return text };
-    let text = inline::inline(&text, module, function, marks);
-    without_return(parentheses::without(&text))
+    without_return(inline::inline(&text, module, function, marks))
+}
+
+/// The pieces of such a text, without parentheses that change nothing.
+pub(super) fn pieces(text: &str) -> Vec<scan::Piece<'_>> {
+    parentheses::without(text)
 }
 
 /// The text without a last `return;`, which is where the function ends anyway.
