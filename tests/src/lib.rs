@@ -56,6 +56,7 @@ pub mod overhead;
 pub mod perturbed;
 pub mod question;
 pub mod report;
+pub mod scene;
 pub mod search;
 pub mod shader;
 pub mod subject;

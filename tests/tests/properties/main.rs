@@ -1,12 +1,13 @@
-//! Properties that the mathematics must have, on random arguments; a file or a folder a family.
+//! Properties that the mathematics must have, on random arguments, and readers on spoilt texts; a file or a folder a family.
 //!
-//! Each test draws its cases from a seed that it prints; `LOBE_SEED=n` repeats a run.
+//! Each test draws its cases from a seed that it prints; `LOBE_SEED=n` repeats a run, `LOBE_CASES=n` draws so many.
 
 mod asg;
 mod brdf;
 mod filter;
 mod rect;
 mod reference;
+mod scene;
 mod sg;
 mod support;
 mod vsgl;

@@ -16,12 +16,13 @@ pub(crate) fn seed() -> u64 {
     seed
 }
 
-/// Runs `test` on values of `strategy`, 256 of them, from a printed seed.
+/// Runs `test` on values of `strategy`, 256 of them or as many as `LOBE_CASES` says, from a printed seed.
 pub(crate) fn check<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
     let seed = seed();
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
+    let cases = std::env::var("LOBE_CASES").ok().and_then(|s| s.parse().ok()).unwrap_or(256);
+    let config = ProptestConfig { failure_persistence: None, cases, ..ProptestConfig::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
     if let Err(error) = runner.run(&strategy, test) {
         panic!("seed {seed}: {error}");

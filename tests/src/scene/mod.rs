@@ -1,0 +1,102 @@
+//! Scenes: a camera, lights, materials, and what they light.
+//!
+//! [`Scene::from_json`] reads the format `glossy-oracle-scene/1` (`tests/SCENES.md`). A scene that is here is sound: every
+//! number is finite and in its range, every direction has length one, every material that is named is there.
+
+mod camera;
+mod json;
+
+pub use camera::{Camera, Ray};
+pub use lobe_kernels::brdf::Material;
+
+use lobe_codegen::prelude::Vec3;
+
+/// What is seen, and by which light.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Its name.
+    pub name: String,
+    /// From where it is seen.
+    pub camera: Camera,
+    /// At least one; none is seen itself.
+    pub lights: Vec<Light>,
+    /// By name.
+    pub materials: Vec<(String, Material)>,
+    /// At least one.
+    pub rectangles: Vec<Surface>,
+}
+
+/// A light without extent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Light {
+    /// One infinitely far away.
+    Directional {
+        /// Unit direction to the light.
+        to_light: Vec3,
+        /// Irradiance of a plane that faces it, linear RGB, W/m².
+        irradiance: Vec3,
+    },
+    /// A cone.
+    Spot {
+        /// Where it is, m.
+        position: Vec3,
+        /// Unit direction of the middle of the cone, away from the light.
+        axis: Vec3,
+        /// Half the angle of the cone in which all of its light is, rad.
+        inner: f32,
+        /// Half the angle beyond which there is none, rad; above [`Light::Spot::inner`].
+        outer: f32,
+        /// Intensity in the inner cone, linear RGB, W/sr.
+        intensity: Vec3,
+    },
+}
+
+/// A rectangle `center + a half_u + b half_v`, a and b in -1 ..= 1, that reflects on the side of its normal alone, and hides
+/// what is behind it from both.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// Its name; empty if it has none.
+    pub name: String,
+    /// Its middle, m.
+    pub center: Vec3,
+    /// From the middle to the middle of a side, m.
+    pub half_u: Vec3,
+    /// The same across.
+    pub half_v: Vec3,
+    /// Unit normal, `half_u × half_v` normalised.
+    pub normal: Vec3,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+}
+
+/// Why a scene is refused.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SceneError {
+    /// The text is no JSON, or lacks something of the format.
+    #[error("line {line}, column {column}: {message}")]
+    Json {
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// Some other format, or a later one.
+    #[error("the format is {found:?}, and this reads {FORMAT:?}", FORMAT = FORMAT)]
+    Format {
+        /// The text's.
+        found: String,
+    },
+    /// A number, or what follows from several.
+    #[error("{at}: {message}")]
+    Value {
+        /// What it is, as a path: `rects[3].half_u`.
+        at: String,
+        /// What is wrong, and what would be right.
+        message: String,
+    },
+}
+
+/// The format that is read.
+const FORMAT: &str = "glossy-oracle-scene/1";
