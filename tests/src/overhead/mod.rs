@@ -1,5 +1,5 @@
-//! What emitted code costs beside hand-written code: the functions of [Tokuyoshi22]'s supplement in HLSL by hand and as
-//! emitted, through DXC with full optimisation.
+//! What emitted code costs beside hand-written code: the functions of the accurate-diffuse listings in HLSL by
+//! hand and as emitted, through DXC with full optimisation.
 //!
 //! Each is measured three times: all by hand; the emitted functions, called by the hand's entry point; and the emitted
 //! entry point as a whole.

@@ -76,7 +76,9 @@ fn buffer(module: &Module, variable: &GlobalVariable) -> Option<(Buffer, Handle<
         return None;
     };
     let is_wider = is_vector_of_three(module, base);
-    let fits = is_wider || size(module, base) == Some(stride);
+    // HLSL has no name for a type of arrays.
+    let has_name = !matches!(module.types[base].inner, TypeInner::Array { .. });
+    let fits = is_wider || (has_name && size(module, base) == Some(stride));
     let is_written = access.contains(StorageAccess::STORE);
     fits.then_some((Buffer { binding: variable.binding?, is_written, is_wider }, base, stride))
 }
@@ -300,18 +302,23 @@ mod tests {
         let text = hlsl(
             "struct Turned { by: mat3x3f }
             struct Gaps { rows: array<vec3f, 2> }
+            struct Rows { rows: array<vec4f, 2> }
             @group(0) @binding(0) var<storage> turned: array<Turned>;
             @group(0) @binding(1) var<storage> gaps: array<Gaps>;
             @group(0) @binding(2) var<storage> measured: array<f32>;
             @group(0) @binding(3) var<storage, read_write> counts: array<atomic<u32>>;
+            @group(0) @binding(4) var<storage> lists: array<array<f32, 4>>;
+            @group(0) @binding(5) var<storage> tables: array<Rows>;
             @compute @workgroup_size(64) fn look(@builtin(global_invocation_id) id: vec3u) {
                 if turned[0].by[1].x + gaps[1].rows[1].x > measured[arrayLength(&measured) - 1u] {
-                    atomicAdd(&counts[id.x], 1u);
+                    let list = lists[id.x];
+                    atomicAdd(&counts[id.x], u32(list[1] + tables[id.y].rows[1].z));
                 }
             }",
         );
-        for name in ["turned", "gaps", "measured", "counts"] {
+        for name in ["turned", "gaps", "measured", "counts", "lists"] {
             assert!(text.contains(&format!("ByteAddressBuffer {name} ")), "{name}\n{text}");
         }
+        assert!(text.contains("StructuredBuffer<Rows> tables "), "{text}");
     }
 }
