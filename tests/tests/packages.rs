@@ -51,6 +51,22 @@ fn a_package_says_what_is_in_it() {
     }
 }
 
+#[test]
+fn a_package_speaks_of_the_prefix_that_it_has() {
+    let module = lobe_codegen::lower(KERNELS).unwrap_or_else(|e| panic!("{e}"));
+    let readme = |kind, prefix| {
+        let files = package(&module, &names(), kind, prefix).unwrap_or_else(|e| panic!("{e}"));
+        text(&files, "README.md").to_owned()
+    };
+    for kind in [Package::Unity, Package::Unreal, Package::Godot, Package::Three] {
+        assert!(readme(kind, "lobe_").contains("ames begin with `lobe_`"), "{}", kind.name());
+        assert!(readme(kind, "sgl_").contains("ames begin with `sgl_`"), "{}", kind.name());
+        assert!(readme(kind, "").contains("ames have no prefix here"), "{}", kind.name());
+        assert!(!readme(kind, "sgl_").contains("lobe_"), "{}", kind.name());
+        assert!(!readme(kind, "").contains("lobe_"), "{}", kind.name());
+    }
+}
+
 /// Names that Unity's core library has as macros.
 const UNITY: &str = "\
 #define PI 3.14159265358979323846

@@ -138,7 +138,11 @@ pub fn package(
 
 /// The command that writes a package again.
 fn command(kernels: &[String], package: Package, prefix: &str) -> String {
-    let prefix = if prefix == package.prefix() { String::new() } else { format!(" --prefix {prefix}") };
+    let prefix = match prefix {
+        usual if usual == package.prefix() => String::new(),
+        "" => " --prefix ''".to_owned(),
+        other => format!(" --prefix {other}"),
+    };
     match kernels {
         few if few.len() <= 4 => {
             format!("lobe emit --package {}{prefix} {}", package.name(), few.join(" "))
@@ -178,8 +182,15 @@ impl Contents<'_> {
         json.map_err(|e| EmitError::Entry { function: "the description".to_owned(), reason: e.to_string() })
     }
 
-    /// A page that says what lies here and how it is used.
+    /// A page that says what lies here and how it is used; `usage` speaks of `lobe_` as the prefix.
     fn readme(&self, title: &str, usage: &str) -> PackageFile {
+        let usage = match self.prefix {
+            "" => usage
+                .replace("ames begin with `lobe_`, since", "ames have no prefix here, although")
+                .replace("ames begin with `lobe_`", "ames have no prefix here"),
+            _ => usage.to_owned(),
+        };
+        let usage = usage.replace("lobe_", self.prefix);
         let kernels: String = self.called.iter().map(|name| format!("- `{name}`\n")).collect();
         let text = format!(
             "# {title}\n\nWritten by Lobe {}; write it again with `{}`.\n\n{usage}\n## Kernels\n\n{kernels}\nEach \
