@@ -56,7 +56,8 @@ fn a_package_speaks_of_the_prefix_that_it_has() {
     let module = lobe_codegen::lower(KERNELS).unwrap_or_else(|e| panic!("{e}"));
     let readme = |kind, prefix| {
         let files = package(&module, &names(), kind, prefix).unwrap_or_else(|e| panic!("{e}"));
-        text(&files, "README.md").to_owned()
+        // Below are the names of kernels, of which some have a lobe in them.
+        text(&files, "README.md").split("## Kernels").next().unwrap_or_default().to_owned()
     };
     for kind in [Package::Unity, Package::Unreal, Package::Godot, Package::Three] {
         assert!(readme(kind, "lobe_").contains("ames begin with `lobe_`"), "{}", kind.name());
