@@ -24,7 +24,7 @@
 //! ```
 //!
 //! [`executor::Executor`] is the one face of all of them; [`routes::Machine`] opens the one that a
-//! [`Route`](route::Route) names.
+//! [`Route`](route::Route) names; [`pipeline`] runs lists of entry points over buffers.
 //!
 //! The latter two take *artifacts*, the very text or words that a user of the emitted code gets, and know nothing of
 //! naga modules: what they prove, they prove about the emission too.
@@ -32,6 +32,7 @@
 pub mod executor;
 pub mod gpu;
 pub mod interp;
+pub mod pipeline;
 pub mod route;
 pub mod routes;
 pub mod texture;

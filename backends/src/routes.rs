@@ -2,6 +2,7 @@
 
 use crate::executor::{Executor, GpuRoute, Interp, Native};
 use crate::gpu::{self, AnyGpu, Api, DawnGpu, Driver, Gpu, GpuError};
+use crate::pipeline::{Dispatcher, Interpreted, OnDriver};
 use crate::route::{Road, Route};
 use crate::translate::{Dawn, TranslateError, Translators};
 use std::sync::{Arc, OnceLock};
@@ -180,6 +181,21 @@ impl Machine {
                 Ok(Box::new(GpuRoute::new(route.clone(), *road, gpu, translators)))
             }
         }
+    }
+
+    /// Opens `route` for passes. Native code runs none: its place is taken by the interpreter, which gives the same bits.
+    ///
+    /// # Errors
+    /// When something that it needs is missing, or the device does not open.
+    pub fn dispatcher<'p>(&self, route: &Route) -> Result<Box<dyn Dispatcher<'p> + 'p>, OpenError> {
+        if let State::Missing { what, mend } = self.state(route) {
+            return Err(OpenError::Missing { route: route.clone(), what, mend });
+        }
+        let Route::Gpu { road, driver: name } = route else { return Ok(Box::new(Interpreted::default())) };
+        let Some(driver) = self.driver(road.api(), name) else { return self.dispatcher(&Route::Interp) };
+        let opened = self.device(*road, driver);
+        let gpu = opened.map_err(|cause| OpenError::Driver { route: route.clone(), cause })?;
+        Ok(Box::new(OnDriver::new(route.clone(), *road, gpu, Arc::clone(&self.translators))))
     }
 
     /// Opens a device for `road`.

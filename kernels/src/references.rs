@@ -36,6 +36,8 @@ references! {
     Heitz18;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
+    /// T. Ize, Robust BVH Ray Traversal, Journal of Computer Graphics Techniques 2 (2), 2013.
+    Ize13;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
     /// ACM Transactions on Graphics 31 (6), 2012.
     Iwasaki12;
@@ -84,6 +86,9 @@ references! {
     /// B. P. Welford, Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4 (3),
     /// 1962.
     Welford62;
+    /// S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, Journal of Computer Graphics Techniques
+    /// 2 (1), 2013.
+    Woop13;
     /// K. Xu, W.-L. Sun, Z. Dong, D.-Y. Zhao, R.-D. Wu, S.-M. Hu, Anisotropic Spherical Gaussians, ACM
     /// Transactions on Graphics 32 (6), 2013.
     Xu13;

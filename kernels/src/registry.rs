@@ -2,9 +2,9 @@
 //! test says so.
 
 use crate::rect::{
-    angle, attenuation, chain, diffuse, disk, energy, laplace, light, peak, reflection, shade,
+    angle, attenuation, chain, diffuse, disk, energy, laplace, light, pass, peak, reflection, shade,
 };
-use crate::{asg, brdf, filter, hsg, reference, sg, special, vsgl};
+use crate::{asg, brdf, filter, hsg, reference, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -209,4 +209,21 @@ pub const PARTS: &[FunctionRef] = &kernels![
     laplace::rect_laplace_integral_sg,
     laplace::rect_laplace_fast_integral,
     laplace::rect_laplace_fast_integral_sg,
+];
+
+/// The passes of the renderers: entry points over buffers that have the names of their parameters.
+pub const PASSES: &[FunctionRef] = &kernels![
+    scene::camera::camera_pass,
+    scene::bvh::nearest_pass,
+    scene::seen_pass,
+    scene::direct::light_ray_pass,
+    scene::bvh::shadow_pass,
+    scene::direct::direct_pass,
+    pass::rect_pass,
+    pass::rect_paper_pass,
+    pass::rect_sg_pass,
+    pass::rect_laplace_pass,
+    pass::rect_laplace_fast_pass,
+    reference::pass::bounce_sample_pass,
+    reference::pass::bounce_mean_pass,
 ];

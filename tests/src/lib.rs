@@ -55,6 +55,7 @@ pub mod oracle;
 pub mod overhead;
 pub mod perturbed;
 pub mod question;
+pub mod render;
 pub mod report;
 pub mod scene;
 pub mod search;

@@ -26,6 +26,44 @@ pub enum ExecError {
         /// The kernel.
         kernel: &'static str,
     },
+    /// A function was given where an entry point is wanted.
+    #[error("{kernel} is no entry point; give it a workgroup size and buffers")]
+    NoEntryPoint {
+        /// The kernel.
+        kernel: &'static str,
+    },
+    /// A pipeline lacks the pass.
+    #[error("the pipeline has no pass `{pass}`")]
+    NoPass {
+        /// The pass.
+        pass: String,
+    },
+    /// A pipeline lacks the buffer.
+    #[error("no pass of the pipeline has a buffer `{buffer}`")]
+    NoBuffer {
+        /// The buffer.
+        buffer: String,
+    },
+    /// A pass cannot use a buffer.
+    #[error("{pass}, buffer `{buffer}`: {reason}")]
+    Buffer {
+        /// The pass.
+        pass: &'static str,
+        /// The buffer.
+        buffer: String,
+        /// Why.
+        reason: String,
+    },
+    /// The values are not what a buffer holds.
+    #[error("an element of the buffer `{buffer}` has {expected} words, and a value {found}")]
+    Element {
+        /// The buffer.
+        buffer: String,
+        /// Scalars of an element.
+        expected: usize,
+        /// Scalars of the value.
+        found: usize,
+    },
     /// The arguments are not the kernel's.
     #[error("{kernel} takes {expected} words a row, the arguments have {found}")]
     Shape {

@@ -20,14 +20,14 @@ const BYTES: usize = 128 << 20;
 
 /// What has been emitted of a program, each at its first use.
 #[derive(Debug, Default)]
-pub(super) struct Artifacts {
+pub(crate) struct Artifacts {
     entry: OnceLock<(lobe_codegen::ValidModule, EntryLayout)>,
     roads: [OnceLock<Words>; Road::ALL.len()],
 }
 
 /// What a driver is given.
 #[derive(Debug)]
-enum Words {
+pub(crate) enum Words {
     Wgsl(String),
     Spirv(Vec<u32>),
     Glsl(String),
@@ -136,10 +136,29 @@ impl Executor for GpuRoute {
 }
 
 /// A module with an entry point, on its way to a driver.
-struct Source<'a> {
-    kernel: &'static str,
-    module: &'a lobe_codegen::ValidModule,
-    entry: &'a str,
+pub(crate) struct Source<'a> {
+    /// The kernel, for messages.
+    pub(crate) kernel: &'static str,
+    /// Its module.
+    pub(crate) module: &'a lobe_codegen::ValidModule,
+    /// The entry point's name.
+    pub(crate) entry: &'a str,
+}
+
+impl Artifacts {
+    /// What a driver is given by `road`, which `make` makes at the first use.
+    pub(crate) fn words(
+        &self,
+        road: Road,
+        make: impl FnOnce() -> Result<Words, ExecError>,
+    ) -> Result<&Words, ExecError> {
+        let place = &self.roads[road as usize];
+        if let Some(ready) = place.get() {
+            return Ok(ready);
+        }
+        let made = make()?;
+        Ok(place.get_or_init(|| made))
+    }
 }
 
 impl Source<'_> {
@@ -148,7 +167,7 @@ impl Source<'_> {
             .map_err(|cause| ExecError::Emit { kernel: self.kernel, cause: cause.into() })
     }
 
-    fn words(&self, road: Road, translators: &Translators) -> Result<Words, ExecError> {
+    pub(crate) fn words(&self, road: Road, translators: &Translators) -> Result<Words, ExecError> {
         let artifact = self.artifact(road.target())?;
         match road {
             Road::Spirv | Road::WgslNaga | Road::WgslTint => Ok(content(artifact.content)),
@@ -169,7 +188,7 @@ impl std::fmt::Debug for GpuRoute {
 }
 
 impl Words {
-    fn shader(&self) -> Shader<'_> {
+    pub(crate) fn shader(&self) -> Shader<'_> {
         match self {
             Self::Wgsl(text) => Shader::Wgsl(text),
             Self::Spirv(words) => Shader::Spirv(words),
@@ -236,12 +255,7 @@ impl Program {
     }
 
     fn words(&self, road: Road, translators: &Translators) -> Result<&Words, ExecError> {
-        let place = &self.artifacts.roads[road as usize];
-        if let Some(ready) = place.get() {
-            return Ok(ready);
-        }
-        let made = self.source()?.words(road, translators)?;
-        Ok(place.get_or_init(|| made))
+        self.artifacts.words(road, || self.source()?.words(road, translators))
     }
 }
 

@@ -9,6 +9,7 @@ pub mod trace;
 
 pub use error::ExecError;
 pub use gpu_route::{Ahead, GpuRoute};
+pub(crate) use gpu_route::{Artifacts, Source};
 pub use interp::Interp;
 pub use native::Native;
 pub use program::Program;

@@ -10,7 +10,9 @@ use lobe_tests::export::ExportError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::overhead::OverheadError;
+use lobe_tests::render::FileError;
 use lobe_tests::report::merge::MergeError;
+use lobe_tests::scene::SceneError;
 use lobe_tests::throughput::BenchError;
 use lobe_tests::value::RowError;
 use std::path::PathBuf;
@@ -83,6 +85,10 @@ pub(crate) enum Fail {
     Bench(#[from] BenchError),
     #[error(transparent)]
     Overhead(#[from] OverheadError),
+    #[error("{}: {cause}", path.display())]
+    Scene { path: PathBuf, cause: SceneError },
+    #[error(transparent)]
+    Picture(#[from] FileError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
 }
@@ -117,6 +123,7 @@ impl Fail {
                 | ExportError::PartlyKnown { .. }
                 | ExportError::Mixed { .. },
             )
+            | Self::Scene { .. }
             | Self::Table(_) => 2,
             Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)
@@ -128,6 +135,7 @@ impl Fail {
             | Self::Export(ExportError::Exec(_) | ExportError::Disassembly { .. })
             | Self::Bench(_)
             | Self::Overhead(_)
+            | Self::Picture(_)
             | Self::Defect(_) => 1,
         }
     }

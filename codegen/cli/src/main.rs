@@ -20,6 +20,7 @@ mod mutate;
 mod operations;
 mod oracle;
 mod output;
+mod render;
 mod report;
 mod route;
 mod run;
@@ -63,6 +64,8 @@ enum Command {
     Measure(measure::Args),
     /// Seed faults into kernels and count those that the harness notices
     Mutate(mutate::Args),
+    /// Render a scene by a method of interreflection, or the truth by sampling
+    Render(render::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
     /// Measure the throughput of the interpreter, native code and drivers, side by side
@@ -97,6 +100,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Mutate(args) => mutate::run(args),
+        Command::Render(args) => render::run(args),
         Command::Figures(args) => figures::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),

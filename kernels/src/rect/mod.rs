@@ -42,7 +42,9 @@ pub mod disk;
 pub mod energy;
 pub mod laplace;
 pub mod light;
+pub mod pass;
 pub mod peak;
+pub mod pixel;
 pub mod reflection;
 pub mod shade;
 

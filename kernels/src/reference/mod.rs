@@ -25,6 +25,7 @@
 pub mod budget;
 pub mod light;
 pub mod one_bounce;
+pub mod pass;
 pub mod random;
 pub mod rectangle;
 pub mod running_mean;

@@ -38,6 +38,21 @@ impl Camera {
         Some(Self { size, position, forward, right, up: right.cross(forward), half_height })
     }
 
+    /// Where it is, m.
+    #[must_use]
+    pub fn position(&self) -> Vec3 {
+        self.position.as_vec3()
+    }
+
+    /// The unit direction of view; and at distance 1, from the middle of the picture to that of its right and of its upper
+    /// side.
+    #[must_use]
+    pub fn axes(&self) -> [Vec3; 3] {
+        let [width, height] = self.size.map(f64::from);
+        let half_width = self.half_height * width / height;
+        [self.forward, half_width * self.right, self.half_height * self.up].map(|axis| axis.as_vec3())
+    }
+
     /// The ray through the middle of a pixel; rows count from the top, columns from the left.
     #[must_use]
     pub fn ray(&self, column: u32, row: u32) -> Ray {

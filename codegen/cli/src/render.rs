@@ -1,0 +1,147 @@
+//! `lobe render`: a picture of a scene, by a method and a route.
+
+use crate::fail::{Fail, Outcome};
+use crate::output;
+use indicatif::ProgressBar;
+use lobe_backends::route::Route;
+use lobe_backends::routes::Machine;
+use lobe_tests::render::{Method, Picture, Renderer, Settings, auto_exposure, exr, png};
+use lobe_tests::scene::Scene;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Steps of the progress bar.
+const STEPS: usize = 1000;
+/// Pixels of a picture, at most: what buffers of 128 MiB hold.
+const MOST_PIXELS: u64 = 1 << 20;
+
+/// Options.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// The scene: JSON in the format of tests/SCENES.md
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// direct, rect, rect-laplace, rect-laplace-fast, rect-sg, rect-paper or reference
+    #[arg(long, default_value_t = Method::RectLaplace)]
+    method: Method,
+    /// What runs the passes, as `interp` or `spirv@lavapipe`
+    #[arg(long, default_value_t = Route::Interp)]
+    route: Route,
+    /// Files to write: `.exr` with linear radiance, `.png` for looking at
+    #[arg(short, long, value_name = "FILE", required = true)]
+    output: Vec<PathBuf>,
+    /// Put every component into the EXR file, as channels `NAME.R`, `NAME.G`, `NAME.B`
+    #[arg(long)]
+    layers: bool,
+    /// Columns and rows, instead of the scene's
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Samples a pixel of the method `reference`
+    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=16_000_000))]
+    samples: u32,
+    /// Radius of the sampling disk of rectangles, over alpha and distance
+    #[arg(long, default_value_t = 3.0, value_parser = factor)]
+    radius_factor: f32,
+    /// Stops by which the PNG is brightened; chosen by the picture if not given
+    #[arg(long, allow_negative_numbers = true, value_parser = stops)]
+    exposure: Option<f32>,
+}
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    let writers =
+        args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
+    let mut scene = read(&args.scene)?;
+    if let Some(size) = args.size {
+        scene.camera.size = size;
+    }
+    check_size(scene.camera.size)?;
+    let begin = Instant::now();
+    let picture = picture(args, &scene)?;
+    let seconds = begin.elapsed().as_secs_f64();
+    for (path, form) in writers {
+        output::write_file(path, &form.bytes(&picture, args)?)?;
+        let [width, height] = picture.size;
+        let (method, route) = (args.method, &args.route);
+        output::print(&format!(
+            "{}: {width} x {height}, {method} on {route}, {seconds:.2} s\n",
+            path.display()
+        ))?;
+    }
+    match picture.is_sound() {
+        true => Ok(Outcome::Holds),
+        false => Err(Fail::Defect(format!("{} has pixels that are no light", args.scene.display()))),
+    }
+}
+
+/// The scene in a file.
+pub(crate) fn read(path: &Path) -> Result<Scene, Fail> {
+    let text = std::fs::read_to_string(path).map_err(|cause| Fail::Read { path: path.to_owned(), cause })?;
+    Scene::from_json(&text).map_err(|cause| Fail::Scene { path: path.to_owned(), cause })
+}
+
+fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
+    let renderer = Renderer::new()?;
+    let mut dispatcher = Machine::look().dispatcher(&args.route)?;
+    let settings = Settings { method: args.method, samples: args.samples, radius_factor: args.radius_factor };
+    let bar: ProgressBar = output::progress(STEPS);
+    let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
+    let picture = renderer.render(scene, &settings, dispatcher.as_mut(), &progress)?;
+    bar.finish_and_clear();
+    Ok(picture)
+}
+
+/// A form of file.
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    Exr,
+    Png,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Self, Fail> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("exr") => Ok(Self::Exr),
+            Some("png") => Ok(Self::Png),
+            _ => {
+                let message =
+                    format!("{}: pictures are written as .exr or .png; name one of them", path.display());
+                Err(Fail::Usage(message))
+            }
+        }
+    }
+
+    fn bytes(self, picture: &Picture, args: &Args) -> Result<Vec<u8>, Fail> {
+        Ok(match self {
+            Self::Exr => exr(picture, args.layers)?,
+            Self::Png => png(picture, args.exposure.unwrap_or_else(|| auto_exposure(picture)))?,
+        })
+    }
+}
+
+fn check_size([width, height]: [u32; 2]) -> Result<(), Fail> {
+    if u64::from(width) * u64::from(height) <= MOST_PIXELS {
+        return Ok(());
+    }
+    let message =
+        format!("a picture has at most {MOST_PIXELS} pixels, {width} x {height} are more; give a --size");
+    Err(Fail::Usage(message))
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let wanted = || format!("`{text}` is no size; write columns and rows, as 128x128");
+    let (width, height) = text.split_once('x').ok_or_else(wanted)?;
+    let side = |text: &str| text.parse::<u32>().ok().filter(|n| (1..=1 << 20).contains(n)).ok_or_else(wanted);
+    Ok([side(width)?, side(height)?])
+}
+
+fn factor(text: &str) -> Result<f32, String> {
+    let value = text.parse().ok().filter(|v| (0.1..=10.0).contains(v));
+    value.ok_or_else(|| format!("`{text}` is no factor; take one from 0.1 to 10"))
+}
+
+fn stops(text: &str) -> Result<f32, String> {
+    let value = text.parse().ok().filter(|v| (-100.0..=100.0).contains(v));
+    value.ok_or_else(|| format!("`{text}` is no number of stops; take one from -100 to 100"))
+}

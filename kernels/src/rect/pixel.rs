@@ -1,0 +1,235 @@
+//! One pixel in colour: what a surface reflects of one light's reflection on one rectangle, lobe by lobe.
+//!
+//! The methods' kernels are of one wavelength and of reflectances of 1. Here the reflectances come in: each where the
+//! method says that the light passes, the peak of a lobe or the spot of [`rect_laplace`].
+
+use crate::brdf::Material;
+use crate::brdf::model::{lambert_brdf, microfacet_m};
+use crate::constants::PI;
+use crate::rect::diffuse::{rect_diffuse_glossy, rect_form_factor};
+use crate::rect::disk::rect_disk_radius;
+use crate::rect::laplace::{
+    LaplaceIntegral, LaplaceReflector, Reflector, rect_laplace_bitangent, rect_laplace_fast_integral,
+    rect_laplace_integral, rect_laplace_receiver, rect_laplace_reflector,
+};
+use crate::rect::reflection::{DistantLight, Reflection, rect_reflection, rect_reflection_paper};
+use crate::rect::shade::{RectShade, ShadeForm, rect_shade, rect_shade_within};
+use crate::rect::{GlossyReceiver, Rectangle};
+use crate::scene::Seen;
+use crate::scene::light::Arriving;
+use crate::sg::{Sg, sg_integral, sg_sg_product_integral};
+use lobe_codegen::prelude::*;
+
+/// Radiance of a pixel, of light that a rectangle reflected once, by the lobes of both: linear RGB.
+#[kernel]
+pub struct RectPixel {
+    /// The pixel's glossy lobe, of the rectangle's glossy lobe.
+    pub specular: Vec3,
+    /// The pixel's diffuse lobe, of the rectangle's glossy lobe.
+    pub diffuse: Vec3,
+    /// The pixel's diffuse lobe, of the rectangle's diffuse lobe.
+    pub diffuse_of_diffuse: Vec3,
+}
+
+/// A rectangle, its material and the light on it, and the pixel with its material.
+#[kernel]
+pub struct RectBounce {
+    /// The rectangle.
+    pub rectangle: Rectangle,
+    /// Its surface.
+    pub reflector: Material,
+    /// What arrives at the rectangle's middle.
+    pub arriving: Arriving,
+    /// The pixel.
+    pub seen: Seen,
+    /// Its surface.
+    pub receiver: Material,
+}
+
+/// The pixel as the methods want it, of reflectance 1.
+#[kernel]
+pub fn rect_receiver(bounce: RectBounce) -> GlossyReceiver {
+    GlossyReceiver {
+        position: bounce.seen.position,
+        normal: bounce.seen.normal,
+        view: bounce.seen.view,
+        alpha: bounce.receiver.alpha,
+        reflectance: 1.0,
+    }
+}
+
+/// The light as the methods want it, of irradiance 1.
+#[kernel]
+pub fn rect_distant_light(bounce: RectBounce) -> DistantLight {
+    DistantLight { direction: bounce.arriving.dir, irradiance: 1.0 }
+}
+
+/// The radius of the sampling disk about the peak of `reflection`.
+#[kernel]
+pub fn rect_pixel_radius(bounce: RectBounce, reflection: Reflection, factor: f32) -> f32 {
+    let rectangle = bounce.rectangle;
+    let height = dot(bounce.seen.position - rectangle.position, rectangle.normal);
+    let dist = max(height, 0.0) / max(reflection.cos_sigma, 1e-3);
+    max(rect_disk_radius(factor, bounce.reflector.alpha, dist, rectangle.half_x, rectangle.half_y), 1e-3)
+}
+
+/// Irradiance times the rectangle's reflectance but its distribution, for light that leaves it against `towards`.
+#[kernel]
+pub fn rect_reflector_colour(bounce: RectBounce, towards: Vec3) -> Vec3 {
+    let material = bounce.reflector;
+    let normal = bounce.rectangle.normal;
+    let light = bounce.arriving.dir;
+    bounce.arriving.irradiance
+        * microfacet_m(material.f0, material.f90, material.alpha, normal, light, -towards)
+}
+
+/// The pixel's reflectance but its distribution, for light from `towards`.
+#[kernel]
+pub fn rect_receiver_colour(bounce: RectBounce, towards: Vec3) -> Vec3 {
+    let material = bounce.receiver;
+    microfacet_m(material.f0, material.f90, material.alpha, bounce.seen.normal, towards, bounce.seen.view)
+}
+
+/// What the pixel's diffuse lobe reflects of the rectangle's diffuse lobe.
+///
+/// `ρ_x/π F ρ_r E (n·i)⁺`, with the form factor of [`rect_form_factor`]: exact but for the light's distance.
+#[kernel]
+pub fn rect_pixel_matt(bounce: RectBounce) -> Vec3 {
+    let factor = rect_form_factor(bounce.rectangle, bounce.seen.position, bounce.seen.normal);
+    let incidence = max(dot(bounce.rectangle.normal, bounce.arriving.dir), 0.0);
+    let radiosity = incidence * (bounce.reflector.diffuse_albedo * bounce.arriving.irradiance);
+    factor * (lambert_brdf(bounce.receiver.diffuse_albedo) * radiosity)
+}
+
+/// What the pixel's diffuse lobe reflects of a disk's lobe about `axis`.
+#[kernel]
+pub fn rect_pixel_diffuse(bounce: RectBounce, axis: Vec3, shade: RectShade) -> Vec3 {
+    let value = rect_diffuse_glossy(axis, shade.lambda, shade.mu, shade.energy, bounce.seen.normal, 1.0);
+    value * (bounce.receiver.diffuse_albedo * rect_reflector_colour(bounce, axis))
+}
+
+/// The pixel, out of the steps of [`rect_shade`].
+#[kernel]
+pub fn rect_pixel_of_shade(bounce: RectBounce, axis: Vec3, shade: RectShade) -> RectPixel {
+    let colour = rect_reflector_colour(bounce, axis) * rect_receiver_colour(bounce, axis);
+    RectPixel {
+        specular: shade.radiance * colour,
+        diffuse: rect_pixel_diffuse(bounce, axis, shade),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
+    }
+}
+
+/// The pixel by the corrected method of the disk: [`rect_shade`].
+#[kernel]
+pub fn rect_pixel(bounce: RectBounce, factor: f32) -> RectPixel {
+    let light = rect_distant_light(bounce);
+    let reflection = rect_reflection(bounce.rectangle.normal, bounce.reflector.alpha, 1.0, light);
+    let radius = rect_pixel_radius(bounce, reflection, factor);
+    let shade = rect_shade(bounce.rectangle, reflection, rect_receiver(bounce), radius);
+    rect_pixel_of_shade(bounce, reflection.axis, shade)
+}
+
+/// The pixel by the method as printed: [`crate::rect::chain::rect_shade_light_paper`].
+#[kernel]
+pub fn rect_pixel_paper(bounce: RectBounce, factor: f32) -> RectPixel {
+    let light = rect_distant_light(bounce);
+    let reflection = rect_reflection_paper(bounce.rectangle.normal, bounce.reflector.alpha, 1.0, light);
+    let radius = rect_pixel_radius(bounce, reflection, factor);
+    let form = ShadeForm { widest: 1e9, fullest: 2.0, share: 1.0 };
+    let shade = rect_shade_within(bounce.rectangle, reflection, rect_receiver(bounce), radius, form);
+    rect_pixel_of_shade(bounce, reflection.axis, shade)
+}
+
+/// The pixel by an isotropic lobe in place of the disk's anisotropic one.
+///
+/// The lobe of [`crate::asg::asg_to_sg`], of sharpness `2 √(λ μ)` and of the disk's energy; its product integral with
+/// the pixel's lobe is [`sg_sg_product_integral`].
+#[kernel]
+pub fn rect_pixel_sg(bounce: RectBounce, factor: f32) -> RectPixel {
+    let light = rect_distant_light(bounce);
+    let reflection = rect_reflection(bounce.rectangle.normal, bounce.reflector.alpha, 1.0, light);
+    let radius = rect_pixel_radius(bounce, reflection, factor);
+    let receiver = rect_receiver(bounce);
+    let shade = rect_shade(bounce.rectangle, reflection, receiver, radius);
+    let axis = reflection.axis;
+    let sharpness = min(2.0 * (sqrt(max(shade.lambda, 0.0)) * sqrt(max(shade.mu, 0.0))), 1e6);
+    let lobe = Sg { axis, sharpness, log_amplitude: 0.0 };
+    let surface = Sg { axis: shade.mirror, sharpness: shade.sharpness, log_amplitude: 0.0 };
+    let product = sg_sg_product_integral(lobe, surface) / sg_integral(sharpness);
+    let facing = saturate(1e3 * dot(receiver.normal, receiver.view));
+    let cosine = max(dot(axis, receiver.normal), 0.0) * facing;
+    let density = 1.0 / (PI * (receiver.alpha * receiver.alpha));
+    let radiance = select(0.0, cosine * density * (shade.energy * product), shade.height > 0.0);
+    let colour = rect_reflector_colour(bounce, axis) * rect_receiver_colour(bounce, axis);
+    RectPixel {
+        specular: radiance * colour,
+        diffuse: rect_pixel_diffuse(bounce, axis, shade),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
+    }
+}
+
+/// The pixel's glossy lobe out of an integral of [`rect_laplace`], with both reflectances at its spot.
+#[kernel]
+pub fn rect_laplace_colour(bounce: RectBounce, bitangent: Vec3, integral: LaplaceIntegral) -> Vec3 {
+    let local = integral.dir;
+    let rectangle = bounce.rectangle;
+    let towards = local.x * rectangle.tangent + (local.y * bitangent + local.z * rectangle.normal);
+    let colour = rect_reflector_colour(bounce, towards) * rect_receiver_colour(bounce, towards);
+    integral.value * colour
+}
+
+/// The light's reflection on the rectangle in its frame, for [`rect_laplace`].
+#[kernel]
+pub fn rect_laplace_lit(bounce: RectBounce, bitangent: Vec3) -> LaplaceReflector {
+    let reflector = Reflector {
+        alpha: bounce.reflector.alpha,
+        reflectance: 1.0,
+        light: bounce.arriving.dir,
+        irradiance: 1.0,
+    };
+    rect_laplace_reflector(bounce.rectangle, bitangent, reflector)
+}
+
+/// The pixel by the closed form [`rect_laplace`], its diffuse lobe by the disk.
+#[kernel]
+pub fn rect_pixel_laplace(bounce: RectBounce, factor: f32) -> RectPixel {
+    let disk = rect_pixel(bounce, factor);
+    let bitangent = rect_laplace_bitangent(bounce.rectangle);
+    let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
+    let integral = rect_laplace_integral(rect_laplace_lit(bounce, bitangent), receiver);
+    RectPixel {
+        specular: rect_laplace_colour(bounce, bitangent, integral),
+        diffuse: disk.diffuse,
+        diffuse_of_diffuse: disk.diffuse_of_diffuse,
+    }
+}
+
+/// The same by [`crate::rect::laplace::rect_laplace_fast`].
+#[kernel]
+pub fn rect_pixel_laplace_fast(bounce: RectBounce, factor: f32) -> RectPixel {
+    let disk = rect_pixel(bounce, factor);
+    let bitangent = rect_laplace_bitangent(bounce.rectangle);
+    let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
+    let integral = rect_laplace_fast_integral(rect_laplace_lit(bounce, bitangent), receiver);
+    RectPixel {
+        specular: rect_laplace_colour(bounce, bitangent, integral),
+        diffuse: disk.diffuse,
+        diffuse_of_diffuse: disk.diffuse_of_diffuse,
+    }
+}
+
+/// The sum of two pixels.
+#[kernel]
+pub fn rect_pixel_add(a: RectPixel, b: RectPixel) -> RectPixel {
+    RectPixel {
+        specular: a.specular + b.specular,
+        diffuse: a.diffuse + b.diffuse,
+        diffuse_of_diffuse: a.diffuse_of_diffuse + b.diffuse_of_diffuse,
+    }
+}
+
+/// A pixel without light.
+#[kernel]
+pub fn rect_pixel_dark() -> RectPixel {
+    RectPixel { specular: Vec3::ZERO, diffuse: Vec3::ZERO, diffuse_of_diffuse: Vec3::ZERO }
+}

@@ -1,0 +1,76 @@
+//! The methods of rendering, by name.
+
+/// How the light of one bounce is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Not at all: direct light alone.
+    Direct,
+    /// Rectangles, by the corrected method of the disk.
+    Rect,
+    /// Rectangles, by our closed form.
+    RectLaplace,
+    /// Rectangles, by our closed form with one evaluation.
+    RectLaplaceFast,
+    /// Rectangles, by the disk's method with isotropic lobes.
+    RectSg,
+    /// Rectangles, by the disk's method as printed.
+    RectPaper,
+    /// By sampling: the truth, with its standard error.
+    Reference,
+}
+
+impl Method {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 7] = [
+        Self::Direct,
+        Self::Rect,
+        Self::RectLaplace,
+        Self::RectLaplaceFast,
+        Self::RectSg,
+        Self::RectPaper,
+        Self::Reference,
+    ];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Direct => "direct",
+            Self::Rect => "rect",
+            Self::RectLaplace => "rect-laplace",
+            Self::RectLaplaceFast => "rect-laplace-fast",
+            Self::RectSg => "rect-sg",
+            Self::RectPaper => "rect-paper",
+            Self::Reference => "reference",
+        }
+    }
+
+    /// The pass of a method of rectangles.
+    #[must_use]
+    pub fn rect_pass(self) -> Option<&'static str> {
+        match self {
+            Self::Rect => Some("rect_pass"),
+            Self::RectLaplace => Some("rect_laplace_pass"),
+            Self::RectLaplaceFast => Some("rect_laplace_fast_pass"),
+            Self::RectSg => Some("rect_sg_pass"),
+            Self::RectPaper => Some("rect_paper_pass"),
+            Self::Direct | Self::Reference => None,
+        }
+    }
+}
+
+impl std::fmt::Display for Method {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for Method {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let names = Self::ALL.map(Self::name).join(", ");
+        let found = Self::ALL.into_iter().find(|method| method.name() == text);
+        found.ok_or_else(|| format!("`{text}` is no method; the methods are {names}"))
+    }
+}

@@ -1,0 +1,186 @@
+//! Renders scenes: passes of kernels over buffers, the same on every route.
+//!
+//! [`Renderer`] holds the passes, lowered once; [`Renderer::render`] runs those of a [`Method`] by a dispatcher of
+//! [`lobe_backends::pipeline`] and gives a [`Picture`] in layers.
+
+mod bounce;
+pub mod bvh;
+mod file;
+mod method;
+mod picture;
+mod upload;
+
+pub use file::{FileError, auto_exposure, exr, png};
+pub use method::Method;
+pub use picture::{Layer, Picture};
+pub use upload::Uploaded;
+
+use crate::scene::Scene;
+use lobe_backends::executor::ExecError;
+use lobe_backends::pipeline::{Dispatcher, Memory, Pipeline};
+use lobe_codegen::glam::Vec3;
+use lobe_kernels::rect::pass::RectSettings;
+use lobe_kernels::rect::pixel::RectPixel;
+use lobe_kernels::registry::PASSES;
+use lobe_kernels::scene::direct::DirectPixel;
+
+/// What a picture is made with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Who finds the light of one bounce.
+    pub method: Method,
+    /// Samples a pixel of [`Method::Reference`].
+    pub samples: u32,
+    /// The disk's radius over alpha and distance, of the methods of rectangles.
+    pub radius_factor: f32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { method: Method::RectLaplace, samples: 256, radius_factor: 3.0 }
+    }
+}
+
+/// The passes of all methods.
+#[derive(Debug)]
+pub struct Renderer {
+    pipeline: Pipeline,
+}
+
+impl Renderer {
+    /// Lowers the passes.
+    ///
+    /// # Errors
+    /// Only where a kernel of the library is broken.
+    pub fn new() -> Result<Self, ExecError> {
+        Ok(Self { pipeline: Pipeline::new(PASSES)? })
+    }
+
+    /// The passes.
+    #[must_use]
+    pub fn pipeline(&self) -> &Pipeline {
+        &self.pipeline
+    }
+
+    /// The picture of `scene`; `progress` is told which share of the work is done.
+    ///
+    /// # Errors
+    /// When a pass cannot be run by `dispatcher`.
+    pub fn render<'p>(
+        &'p self,
+        scene: &Scene,
+        settings: &Settings,
+        dispatcher: &mut dyn Dispatcher<'p>,
+        progress: &dyn Fn(f32),
+    ) -> Result<Picture, ExecError> {
+        let mut frame = Frame::new(&self.pipeline, scene, settings, dispatcher)?;
+        frame.see()?;
+        let mut picture = frame.direct()?;
+        let indirect = match (settings.method, settings.method.rect_pass()) {
+            (_, Some(pass)) => frame.rectangles(pass, &mut picture)?,
+            (Method::Reference, None) => frame.bounces(&mut picture, progress)?,
+            (_, None) => return Ok(picture),
+        };
+        picture.radiance = picture::sum(&picture.radiance, &indirect);
+        Ok(picture)
+    }
+}
+
+/// A picture in the making.
+struct Frame<'p, 'd> {
+    pipeline: &'p Pipeline,
+    dispatcher: &'d mut dyn Dispatcher<'p>,
+    memory: Memory,
+    settings: Settings,
+    size: [u32; 2],
+    lights: u32,
+}
+
+impl<'p, 'd> Frame<'p, 'd> {
+    fn new(
+        pipeline: &'p Pipeline,
+        scene: &Scene,
+        settings: &Settings,
+        dispatcher: &'d mut dyn Dispatcher<'p>,
+    ) -> Result<Self, ExecError> {
+        let uploaded = Uploaded::new(scene);
+        let mut memory = Memory::default();
+        memory.put("camera", pipeline.pack("camera", &[uploaded.camera])?);
+        memory.put("nodes", pipeline.pack("nodes", &uploaded.bvh.nodes)?);
+        memory.put("triangles", pipeline.pack("triangles", &uploaded.bvh.triangles)?);
+        memory.put("surfaces", pipeline.pack("surfaces", &uploaded.surfaces)?);
+        memory.put("proxies", pipeline.pack("proxies", &uploaded.surfaces)?);
+        memory.put("materials", pipeline.pack("materials", &uploaded.materials)?);
+        memory.put("lights", pipeline.pack("lights", &uploaded.lights)?);
+        memory.put("reflectors", pipeline.pack("reflectors", &uploaded.reflectors)?);
+        let settings_of_rect = RectSettings { radius_factor: settings.radius_factor };
+        memory.put("settings", pipeline.pack("settings", &[settings_of_rect])?);
+        let lights = uploaded.lights.len() as u32;
+        Ok(Self { pipeline, dispatcher, memory, settings: *settings, size: scene.camera.size, lights })
+    }
+
+    fn pixels(&self) -> u32 {
+        self.size[0] * self.size[1]
+    }
+
+    /// Makes room for `count` elements of a buffer.
+    fn room(&mut self, buffer: &str, count: u32) -> Result<(), ExecError> {
+        self.memory.put(buffer, self.pipeline.zeros(buffer, count as usize)?);
+        Ok(())
+    }
+
+    /// Runs a pass that writes `count` elements.
+    fn dispatch(&mut self, pass: &str, count: u32) -> Result<(), ExecError> {
+        self.dispatcher.dispatch(self.pipeline.pass(pass)?, count, &mut self.memory)
+    }
+
+    /// What each pixel sees.
+    fn see(&mut self) -> Result<(), ExecError> {
+        let pixels = self.pixels();
+        for buffer in ["rays", "hits", "seen"] {
+            self.room(buffer, pixels)?;
+        }
+        for pass in ["camera_pass", "nearest_pass", "seen_pass"] {
+            self.dispatch(pass, pixels)?;
+        }
+        Ok(())
+    }
+
+    /// Direct light.
+    fn direct(&mut self) -> Result<Picture, ExecError> {
+        let (pixels, rays) = (self.pixels(), self.pixels() * self.lights);
+        self.room("shadow_rays", rays)?;
+        self.room("visible", rays)?;
+        self.room("direct", pixels)?;
+        self.dispatch("light_ray_pass", rays)?;
+        self.dispatch("shadow_pass", rays)?;
+        self.dispatch("direct_pass", pixels)?;
+        let found: Vec<DirectPixel> = self.pipeline.unpack("direct", self.memory.bytes("direct"))?;
+        let layer = |name: &str, of: fn(&DirectPixel) -> Vec3| Layer {
+            name: name.to_owned(),
+            pixels: found.iter().map(of).collect(),
+        };
+        let layers = vec![
+            layer("direct_vis", |p| p.shadowed),
+            layer("direct_novis", |p| p.unshadowed),
+            layer("direct_specular_novis", |p| p.unshadowed_specular),
+        ];
+        Ok(Picture { size: self.size, radiance: layers[0].pixels.clone(), layers })
+    }
+
+    /// The light of rectangles; adds its layers and returns their sum.
+    fn rectangles(&mut self, pass: &str, picture: &mut Picture) -> Result<Vec<Vec3>, ExecError> {
+        let pixels = self.pixels();
+        self.room("indirect", pixels)?;
+        self.dispatch(pass, pixels)?;
+        let found: Vec<RectPixel> = self.pipeline.unpack("indirect", self.memory.bytes("indirect"))?;
+        let mut add = |name: &str, of: fn(&RectPixel) -> Vec3| {
+            let pixels: Vec<Vec3> = found.iter().map(of).collect();
+            picture.layers.push(Layer { name: name.to_owned(), pixels });
+        };
+        add("indirect_specular_fromspec_novis", |p| p.specular);
+        add("indirect_diffuse_fromspec_novis", |p| p.diffuse);
+        add("indirect_diffuse_novis", |p| p.diffuse + p.diffuse_of_diffuse);
+        Ok(found.iter().map(|p| p.specular + p.diffuse + p.diffuse_of_diffuse).collect())
+    }
+}

@@ -1,0 +1,117 @@
+//! A scene as the passes want it.
+
+use super::bvh::Bvh;
+use crate::scene::{Camera, Light, Scene};
+use lobe_codegen::glam::Vec3;
+use lobe_kernels::brdf::Material;
+use lobe_kernels::rect::Rectangle;
+use lobe_kernels::scene::camera::PinholeCamera;
+use lobe_kernels::scene::light::SceneLight;
+use lobe_kernels::scene::{Surface, Triangle};
+
+/// The apex of a whole rectangle.
+const WHOLE: f32 = 2.0;
+/// What a box of the tree is wider than what is in it, over the scene's extent: more than rounding moves a ray.
+const SLACK: f32 = 2e-6;
+/// The cone's inner angle is at least this less than its outer one, in rad.
+const LEAST_BLEND: f32 = 1e-3;
+
+/// The buffers that a scene fills, but the tree.
+#[derive(Debug, Clone)]
+pub struct Uploaded {
+    /// The camera.
+    pub camera: PinholeCamera,
+    /// The triangles and their tree.
+    pub bvh: Bvh,
+    /// The surfaces.
+    pub surfaces: Vec<Surface>,
+    /// What the surfaces are made of.
+    pub materials: Vec<Material>,
+    /// The lights.
+    pub lights: Vec<SceneLight>,
+    /// Those surfaces that a light can shine on; at least one.
+    pub reflectors: Vec<u32>,
+}
+
+impl Uploaded {
+    /// The buffers of `scene`.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let surfaces: Vec<Surface> = scene.rectangles.iter().map(surface).collect();
+        let triangles: Vec<Triangle> = (0_u32..).zip(&surfaces).flat_map(|(at, s)| halves(at, s)).collect();
+        let camera = camera(&scene.camera);
+        let bvh = Bvh::new(&triangles, SLACK * extent(&triangles, camera.position));
+        let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
+        let materials = scene.materials.iter().map(|(_, material)| *material).collect();
+        let reflectors = reflectors(&surfaces, &lights);
+        Self { camera, bvh, surfaces, materials, lights, reflectors }
+    }
+}
+
+fn camera(camera: &Camera) -> PinholeCamera {
+    let [width, height] = camera.size;
+    let [forward, right, up] = camera.axes();
+    PinholeCamera { position: camera.position(), width, forward, height, right, up }
+}
+
+fn surface(surface: &crate::scene::Surface) -> Surface {
+    let (half_x, half_y) = (surface.half_u.length(), surface.half_v.length());
+    let rectangle = Rectangle {
+        position: surface.center,
+        normal: surface.normal,
+        tangent: surface.half_u / half_x,
+        half_x,
+        half_y,
+    };
+    Surface { rectangle, material: surface.material as u32, apex: WHOLE }
+}
+
+/// The two triangles of a rectangle.
+fn halves(at: u32, surface: &Surface) -> [Triangle; 2] {
+    let rectangle = surface.rectangle;
+    let u = rectangle.half_x * rectangle.tangent;
+    let v = rectangle.half_y * rectangle.normal.cross(rectangle.tangent);
+    let corner = |a: f32, b: f32| rectangle.position + a * u + b * v;
+    let triangle = |b: Vec3, c: Vec3| Triangle { a: corner(-1.0, -1.0), surface: at, b, c };
+    [triangle(corner(1.0, -1.0), corner(1.0, 1.0)), triangle(corner(1.0, 1.0), corner(-1.0, 1.0))]
+}
+
+/// The greatest coordinate, or distance from the camera along an axis.
+fn extent(triangles: &[Triangle], camera: Vec3) -> f32 {
+    let corners = triangles.iter().flat_map(|t| [t.a, t.b, t.c]);
+    let reach = |p: Vec3| p.abs().max((p - camera).abs()).max_element();
+    corners.map(reach).fold(camera.abs().max_element(), f32::max)
+}
+
+fn light(light: &Light) -> SceneLight {
+    match *light {
+        Light::Directional { to_light, irradiance } => SceneLight {
+            axis: to_light,
+            is_spot: 0,
+            position: Vec3::ZERO,
+            outer: 1.0,
+            strength: irradiance,
+            blend: 1.0,
+        },
+        Light::Spot { position, axis, inner, outer, intensity } => SceneLight {
+            axis,
+            is_spot: 1,
+            position,
+            outer,
+            strength: intensity,
+            blend: (outer - inner).max(LEAST_BLEND),
+        },
+    }
+}
+
+fn reflectors(surfaces: &[Surface], lights: &[SceneLight]) -> Vec<u32> {
+    let is_lit = |surface: &Surface| lights.iter().any(|light| shines_on(light, &surface.rectangle));
+    let lit: Vec<u32> = (0_u32..).zip(surfaces).filter(|(_, s)| is_lit(s)).map(|(at, _)| at).collect();
+    if lit.is_empty() { vec![0] } else { lit }
+}
+
+/// Whether the light is before the rectangle; a distance or an angle does not matter.
+fn shines_on(light: &SceneLight, rectangle: &Rectangle) -> bool {
+    let towards = if light.is_spot == 1 { light.position - rectangle.position } else { light.axis };
+    rectangle.normal.dot(towards) > 0.0
+}
