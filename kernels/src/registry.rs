@@ -223,6 +223,7 @@ pub const PASSES: &[FunctionRef] = &kernels![
     pass::rect_paper_pass,
     pass::rect_sg_pass,
     pass::rect_laplace_pass,
+    pass::rect_laplace_single_pass,
     pass::rect_laplace_fast_pass,
     reference::pass::bounce_sample_pass,
     reference::pass::bounce_mean_pass,

@@ -6,7 +6,7 @@
 use crate::brdf::Material;
 use crate::rect::pixel::{
     RectBounce, RectPixel, rect_pixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace,
-    rect_pixel_laplace_fast, rect_pixel_paper, rect_pixel_sg,
+    rect_pixel_laplace_fast, rect_pixel_laplace_single, rect_pixel_paper, rect_pixel_sg,
 };
 use crate::scene::light::{SceneLight, light_at};
 use crate::scene::{NOWHERE, Seen, Surface};
@@ -126,13 +126,12 @@ pub fn rect_sg_pass(
 #[kernel(workgroup_size(64))]
 pub fn rect_laplace_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] settings: &RectSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[Surface],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] indirect: &mut [RectPixel],
+    #[storage(0, 0)] seen: &[Seen],
+    #[storage(0, 1)] surfaces: &[Surface],
+    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 3)] materials: &[Material],
+    #[storage(0, 4)] lights: &[SceneLight],
+    #[storage(0, 5)] indirect: &mut [RectPixel],
 ) {
     let i = id.x;
     if i >= indirect.len() as u32 {
@@ -149,7 +148,40 @@ pub fn rect_laplace_pass(
                 let arriving = light_at(lights[l as usize], proxy.rectangle.position);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_laplace(bounce, settings.radius_factor));
+                sum = rect_pixel_add(sum, rect_pixel_laplace(bounce));
+            }
+        }
+    }
+    indirect[i as usize] = sum;
+}
+
+/// The closed form with one spot: [`rect_pixel_laplace_single`].
+#[kernel(workgroup_size(64))]
+pub fn rect_laplace_single_pass(
+    #[builtin(global_invocation_id)] id: UVec3,
+    #[storage(0, 0)] seen: &[Seen],
+    #[storage(0, 1)] surfaces: &[Surface],
+    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 3)] materials: &[Material],
+    #[storage(0, 4)] lights: &[SceneLight],
+    #[storage(0, 5)] indirect: &mut [RectPixel],
+) {
+    let i = id.x;
+    if i >= indirect.len() as u32 {
+        return;
+    }
+    let pixel = seen[i as usize];
+    let mut sum = rect_pixel_dark();
+    if pixel.surface != NOWHERE {
+        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
+        for k in 0..proxies.len() as u32 {
+            let proxy = proxies[k as usize];
+            let reflector = materials[proxy.material as usize];
+            for l in 0..lights.len() as u32 {
+                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let rectangle = proxy.rectangle;
+                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
+                sum = rect_pixel_add(sum, rect_pixel_laplace_single(bounce));
             }
         }
     }
@@ -160,13 +192,12 @@ pub fn rect_laplace_pass(
 #[kernel(workgroup_size(64))]
 pub fn rect_laplace_fast_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] settings: &RectSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[Surface],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] indirect: &mut [RectPixel],
+    #[storage(0, 0)] seen: &[Seen],
+    #[storage(0, 1)] surfaces: &[Surface],
+    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 3)] materials: &[Material],
+    #[storage(0, 4)] lights: &[SceneLight],
+    #[storage(0, 5)] indirect: &mut [RectPixel],
 ) {
     let i = id.x;
     if i >= indirect.len() as u32 {
@@ -183,7 +214,7 @@ pub fn rect_laplace_fast_pass(
                 let arriving = light_at(lights[l as usize], proxy.rectangle.position);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_laplace_fast(bounce, settings.radius_factor));
+                sum = rect_pixel_add(sum, rect_pixel_laplace_fast(bounce));
             }
         }
     }

@@ -1,7 +1,8 @@
 //! One pixel in colour: what a surface reflects of one light's reflection on one rectangle, lobe by lobe.
 //!
 //! The methods' kernels are of one wavelength and of reflectances of 1. Here the reflectances come in: each where the
-//! method says that the light passes, the peak of a lobe or the spot of [`rect_laplace`].
+//! method says that the light passes, the peak of a lobe or a spot of
+//! [`laplace`](crate::rect::laplace).
 
 use crate::brdf::Material;
 use crate::brdf::model::{lambert_brdf, microfacet_m};
@@ -10,7 +11,8 @@ use crate::rect::diffuse::{rect_diffuse_glossy, rect_form_factor};
 use crate::rect::disk::rect_disk_radius;
 use crate::rect::laplace::{
     LaplaceIntegral, LaplaceReflector, Reflector, rect_laplace_bitangent, rect_laplace_fast_integral,
-    rect_laplace_integral, rect_laplace_receiver, rect_laplace_reflector,
+    rect_laplace_integral, rect_laplace_matt, rect_laplace_receiver, rect_laplace_reflector,
+    rect_laplace_split,
 };
 use crate::rect::reflection::{DistantLight, Reflection, rect_reflection, rect_reflection_paper};
 use crate::rect::shade::{RectShade, ShadeForm, rect_shade, rect_shade_within};
@@ -168,17 +170,21 @@ pub fn rect_pixel_sg(bounce: RectBounce, factor: f32) -> RectPixel {
     }
 }
 
-/// The pixel's glossy lobe out of an integral of [`rect_laplace`], with both reflectances at its spot.
+/// A direction out of a rectangle's frame.
+#[kernel]
+pub fn rect_laplace_direction(rectangle: Rectangle, bitangent: Vec3, local: Vec3) -> Vec3 {
+    local.x * rectangle.tangent + (local.y * bitangent + local.z * rectangle.normal)
+}
+
+/// The pixel's glossy lobe out of an integral of [`laplace`](crate::rect::laplace), with both reflectances at its spot.
 #[kernel]
 pub fn rect_laplace_colour(bounce: RectBounce, bitangent: Vec3, integral: LaplaceIntegral) -> Vec3 {
-    let local = integral.dir;
-    let rectangle = bounce.rectangle;
-    let towards = local.x * rectangle.tangent + (local.y * bitangent + local.z * rectangle.normal);
+    let towards = rect_laplace_direction(bounce.rectangle, bitangent, integral.dir);
     let colour = rect_reflector_colour(bounce, towards) * rect_receiver_colour(bounce, towards);
     integral.value * colour
 }
 
-/// The light's reflection on the rectangle in its frame, for [`rect_laplace`].
+/// The light's reflection on the rectangle in its frame, for [`laplace`](crate::rect::laplace).
 #[kernel]
 pub fn rect_laplace_lit(bounce: RectBounce, bitangent: Vec3) -> LaplaceReflector {
     let reflector = Reflector {
@@ -190,31 +196,55 @@ pub fn rect_laplace_lit(bounce: RectBounce, bitangent: Vec3) -> LaplaceReflector
     rect_laplace_reflector(bounce.rectangle, bitangent, reflector)
 }
 
-/// The pixel by the closed form [`rect_laplace`], its diffuse lobe by the disk.
+/// The pixel's diffuse lobe out of an irradiance of [`rect_laplace_matt`], with the rectangle's reflectance at its spot.
 #[kernel]
-pub fn rect_pixel_laplace(bounce: RectBounce, factor: f32) -> RectPixel {
-    let disk = rect_pixel(bounce, factor);
+pub fn rect_laplace_matt_colour(bounce: RectBounce, bitangent: Vec3, integral: LaplaceIntegral) -> Vec3 {
+    let towards = rect_laplace_direction(bounce.rectangle, bitangent, integral.dir);
+    let reflected = integral.value * rect_reflector_colour(bounce, towards);
+    lambert_brdf(bounce.receiver.diffuse_albedo) * reflected
+}
+
+/// The pixel by our closed form with a spot for each lobe, [`rect_laplace_split`] and [`rect_laplace_matt`].
+#[kernel]
+pub fn rect_pixel_laplace(bounce: RectBounce) -> RectPixel {
     let bitangent = rect_laplace_bitangent(bounce.rectangle);
     let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
-    let integral = rect_laplace_integral(rect_laplace_lit(bounce, bitangent), receiver);
+    let reflector = rect_laplace_lit(bounce, bitangent);
+    let split = rect_laplace_split(reflector, receiver);
+    let matt = rect_laplace_matt(reflector, receiver);
     RectPixel {
-        specular: rect_laplace_colour(bounce, bitangent, integral),
-        diffuse: disk.diffuse,
-        diffuse_of_diffuse: disk.diffuse_of_diffuse,
+        specular: rect_laplace_colour(bounce, bitangent, split.by_reflector)
+            + rect_laplace_colour(bounce, bitangent, split.by_receiver),
+        diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
     }
 }
 
-/// The same by [`crate::rect::laplace::rect_laplace_fast`].
+/// The same by one spot for both lobes, without masking: [`crate::rect::laplace::rect_laplace`].
 #[kernel]
-pub fn rect_pixel_laplace_fast(bounce: RectBounce, factor: f32) -> RectPixel {
-    let disk = rect_pixel(bounce, factor);
+pub fn rect_pixel_laplace_single(bounce: RectBounce) -> RectPixel {
     let bitangent = rect_laplace_bitangent(bounce.rectangle);
     let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
-    let integral = rect_laplace_fast_integral(rect_laplace_lit(bounce, bitangent), receiver);
+    let reflector = rect_laplace_lit(bounce, bitangent);
+    let matt = rect_laplace_matt(reflector, receiver);
     RectPixel {
-        specular: rect_laplace_colour(bounce, bitangent, integral),
-        diffuse: disk.diffuse,
-        diffuse_of_diffuse: disk.diffuse_of_diffuse,
+        specular: rect_laplace_colour(bounce, bitangent, rect_laplace_integral(reflector, receiver)),
+        diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
+    }
+}
+
+/// The same with one evaluation: [`crate::rect::laplace::rect_laplace_fast`].
+#[kernel]
+pub fn rect_pixel_laplace_fast(bounce: RectBounce) -> RectPixel {
+    let bitangent = rect_laplace_bitangent(bounce.rectangle);
+    let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
+    let reflector = rect_laplace_lit(bounce, bitangent);
+    let matt = rect_laplace_matt(reflector, receiver);
+    RectPixel {
+        specular: rect_laplace_colour(bounce, bitangent, rect_laplace_fast_integral(reflector, receiver)),
+        diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
     }
 }
 

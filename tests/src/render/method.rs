@@ -7,8 +7,10 @@ pub enum Method {
     Direct,
     /// Rectangles, by the corrected method of the disk.
     Rect,
-    /// Rectangles, by our closed form.
+    /// Rectangles, by our closed form with a spot for each lobe.
     RectLaplace,
+    /// Rectangles, by our closed form with one spot.
+    RectLaplaceSingle,
     /// Rectangles, by our closed form with one evaluation.
     RectLaplaceFast,
     /// Rectangles, by the disk's method with isotropic lobes.
@@ -21,10 +23,11 @@ pub enum Method {
 
 impl Method {
     /// All, in the order of the documentation.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Direct,
         Self::Rect,
         Self::RectLaplace,
+        Self::RectLaplaceSingle,
         Self::RectLaplaceFast,
         Self::RectSg,
         Self::RectPaper,
@@ -38,6 +41,7 @@ impl Method {
             Self::Direct => "direct",
             Self::Rect => "rect",
             Self::RectLaplace => "rect-laplace",
+            Self::RectLaplaceSingle => "rect-laplace-single",
             Self::RectLaplaceFast => "rect-laplace-fast",
             Self::RectSg => "rect-sg",
             Self::RectPaper => "rect-paper",
@@ -51,6 +55,7 @@ impl Method {
         match self {
             Self::Rect => Some("rect_pass"),
             Self::RectLaplace => Some("rect_laplace_pass"),
+            Self::RectLaplaceSingle => Some("rect_laplace_single_pass"),
             Self::RectLaplaceFast => Some("rect_laplace_fast_pass"),
             Self::RectSg => Some("rect_sg_pass"),
             Self::RectPaper => Some("rect_paper_pass"),

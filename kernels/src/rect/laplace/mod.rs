@@ -88,6 +88,7 @@ mod frame;
 mod integral;
 mod radiance;
 mod search;
+mod split;
 mod width;
 
 pub use budget::*;
@@ -96,4 +97,5 @@ pub use frame::*;
 pub use integral::*;
 pub use radiance::*;
 pub use search::*;
+pub use split::*;
 pub use width::*;
