@@ -1,10 +1,12 @@
 //! The JSON format.
 
+use super::limits::{
+    self, ALPHAS, LEAST_BLEND_DEGREES, OUTER_DEGREES, POWERS, SHARES, direction, number, place, refused,
+    triple,
+};
 use super::{Camera, FORMAT, Light, Material, Scene, SceneError, Surface};
-use lobe_codegen::glam::{DVec3, Vec3};
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, Visitor};
-use std::ops::RangeInclusive;
 
 type Triple = [f64; 3];
 
@@ -100,6 +102,8 @@ impl Scene {
             camera: camera(&text.camera)?,
             lights: some("lights", text.lights, |at, light| self::light(&at, &light))?,
             rectangles: some("rects", text.rects, |at, rect| surface(&at, rect, &materials))?,
+            triangles: Vec::new(),
+            notes: Vec::new(),
             materials,
         })
     }
@@ -108,10 +112,6 @@ impl Scene {
 /// The message without the place, which stands before it.
 fn without_place(message: &str) -> String {
     message.rsplit_once(" at line ").map_or(message, |(message, _)| message).to_owned()
-}
-
-fn refused<T>(at: &str, message: impl Into<String>) -> Result<T, SceneError> {
-    Err(SceneError::Value { at: at.to_owned(), message: message.into() })
 }
 
 /// All entries of a list that may not be empty.
@@ -126,60 +126,14 @@ fn some<T, U>(
     entries.into_iter().enumerate().map(|(i, entry)| read(format!("{name}[{i}]"), entry)).collect()
 }
 
-/// Coordinates in metres: so large that their squares are still numbers.
-const PLACES: RangeInclusive<f64> = -1e9..=1e9;
-/// Radiometric quantities.
-const POWERS: RangeInclusive<f64> = 0.0..=1e9;
-const SHARES: RangeInclusive<f64> = 0.0..=1.0;
-
-fn number(at: &str, value: f64, range: &RangeInclusive<f64>) -> Result<f32, SceneError> {
-    match range.contains(&value) {
-        true => Ok(value as f32),
-        false => refused(at, format!("{value} is not in {} ..= {}", range.start(), range.end())),
-    }
-}
-
-fn triple(at: &str, value: Triple, range: &RangeInclusive<f64>) -> Result<Vec3, SceneError> {
-    let [x, y, z] = value;
-    Ok(Vec3::new(number(at, x, range)?, number(at, y, range)?, number(at, z, range)?))
-}
-
-fn place(at: &str, value: Triple) -> Result<DVec3, SceneError> {
-    triple(at, value, &PLACES)?;
-    Ok(DVec3::from_array(value))
-}
-
-/// A direction, of whatever length.
-fn direction(at: &str, value: Triple) -> Result<DVec3, SceneError> {
-    match place(at, value)?.try_normalize() {
-        Some(unit) => Ok(unit),
-        None => refused(at, "it has no direction; give it a length"),
-    }
-}
-
-/// Columns and rows of the largest picture.
-const LARGEST: u32 = 16_384;
-
 fn camera(text: &CameraText) -> Result<Camera, SceneError> {
     let position = place("camera.position", text.position)?;
     let target = place("camera.look_at", text.look_at)?;
     let up = direction("camera.up", text.up)?;
-    number("camera.vfov_deg", text.vfov_deg, &(1e-3..=179.0))?;
-    let size = [text.width, text.height];
-    for (name, pixels) in ["camera.width", "camera.height"].into_iter().zip(size) {
-        if !(1..=LARGEST).contains(&pixels) {
-            return refused(name, format!("{pixels} is not in 1 ..= {LARGEST}"));
-        }
-    }
-    match Camera::new(position, target, up, text.vfov_deg.to_radians(), size) {
-        Some(camera) => Ok(camera),
-        None => refused("camera", "it looks at itself, or along its up; move look_at or up"),
-    }
+    let vfov = limits::view_angle("camera.vfov_deg", text.vfov_deg)?;
+    let size = limits::picture([text.width, text.height])?;
+    limits::camera("camera", [position, target, up], vfov, size)
 }
-
-/// The cone that kernels know: `spot_irradiance`.
-const OUTER_DEGREES: RangeInclusive<f64> = 1.15..=89.95;
-const LEAST_BLEND_DEGREES: f64 = 0.06;
 
 fn light(at: &str, text: &LightText) -> Result<Light, SceneError> {
     let name = |member: &str| format!("{at}.{member}");
@@ -202,9 +156,6 @@ fn light(at: &str, text: &LightText) -> Result<Light, SceneError> {
         }
     }
 }
-
-/// The narrowest distribution that the kernels promise anything of.
-const ALPHAS: RangeInclusive<f64> = 0.02..=1.0;
 
 fn materials(text: Materials) -> Result<Vec<(String, Material)>, SceneError> {
     let mut materials: Vec<(String, Material)> = Vec::new();
@@ -280,6 +231,7 @@ fn surface(at: &str, text: RectText, materials: &[(String, Material)]) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lobe_codegen::glam::Vec3;
     use serde_json::{Value, json};
 
     /// A floor under a light and a cone, from above.

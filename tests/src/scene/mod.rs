@@ -1,12 +1,17 @@
 //! Scenes: a camera, lights, materials, and what they light.
 //!
-//! [`Scene::from_json`] reads the format `glossy-oracle-scene/1` (`tests/SCENES.md`). A scene that is here is sound: every
-//! number is finite and in its range, every direction has length one, every material that is named is there.
+//! [`Scene::from_json`] reads the format `glossy-oracle-scene/1`, [`Scene::from_gltf`] glTF 2.0 (`tests/SCENES.md`);
+//! [`Scene::open`] either, by a file's ending. A scene that is here is sound: every number is finite and in its range, every
+//! direction has length one, every material that is named is there.
 
 mod camera;
+mod gltf;
 mod json;
+mod limits;
+mod open;
 
 pub use camera::{Camera, Ray};
+pub use gltf::{Choices, Files};
 pub use lobe_kernels::brdf::Material;
 
 use lobe_codegen::prelude::Vec3;
@@ -22,8 +27,12 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// By name.
     pub materials: Vec<(String, Material)>,
-    /// At least one.
+    /// At least one, unless there are triangles.
     pub rectangles: Vec<Surface>,
+    /// At least one, unless there are rectangles.
+    pub triangles: Vec<Triangle>,
+    /// What of the file was passed over or changed, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// A light without extent.
@@ -69,6 +78,19 @@ pub struct Surface {
     pub material: usize,
 }
 
+/// A triangle. It hides what is behind it from both sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Triangle {
+    /// Its corners, m, counter-clockwise for who sees its front.
+    pub vertices: [Vec3; 3],
+    /// Unit normal of its plane, towards its front.
+    pub normal: Vec3,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    /// Whether it reflects on its back too, as its front does with the normal turned; else on the side of its normal alone.
+    pub two_sided: bool,
+}
+
 /// Why a scene is refused.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SceneError {
@@ -87,6 +109,46 @@ pub enum SceneError {
     Format {
         /// The text's.
         found: String,
+    },
+    /// The bytes are no glTF 2.0.
+    #[error("glTF: {message}")]
+    Gltf {
+        /// What is wrong, by the `gltf` crate.
+        message: String,
+    },
+    /// A file, or one that it names, cannot be had.
+    #[error("{name}: {message}")]
+    File {
+        /// Its path, or its URI.
+        name: String,
+        /// Why not, and what would help.
+        message: String,
+    },
+    /// Something that scenes need is not there.
+    #[error("there is no {what}: {add}")]
+    Missing {
+        /// What it is.
+        what: &'static str,
+        /// What to add, and where.
+        add: &'static str,
+    },
+    /// Something that is not known here.
+    #[error("{at}: {what} is not known here; {instead}")]
+    Unsupported {
+        /// Where it is, as a path.
+        at: String,
+        /// What it is.
+        what: String,
+        /// What is known.
+        instead: &'static str,
+    },
+    /// The `gltf` crate panicked.
+    #[error(
+        "the glTF reader panicked ({message}); please report the file to the authors of the crate `gltf`"
+    )]
+    Panicked {
+        /// The panic's words.
+        message: String,
     },
     /// A number, or what follows from several.
     #[error("{at}: {message}")]

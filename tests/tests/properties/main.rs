@@ -5,6 +5,8 @@
 mod asg;
 mod brdf;
 mod filter;
+mod gltf;
+mod meshes;
 mod rect;
 mod reference;
 mod scene;

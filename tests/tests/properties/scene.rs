@@ -12,6 +12,7 @@ fn kept() -> Vec<(String, String)> {
     let mut found: Vec<_> = std::fs::read_dir(folder)
         .expect("a folder")
         .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "json"))
         .map(|path| {
             let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
             (name, std::fs::read_to_string(path).expect("text"))
@@ -47,7 +48,8 @@ fn a_camera_looks_at_what_it_is_told_to() {
 }
 
 #[track_caller]
-fn assert_sound(scene: &Scene) {
+pub(crate) fn assert_sound(scene: &Scene) {
+    assert!(!scene.lights.is_empty() && scene.rectangles.len() + scene.triangles.len() > 0, "{scene:?}");
     let is_unit = |v: Vec3| (v.length() - 1.0).abs() < 1e-6;
     for light in &scene.lights {
         match *light {
@@ -65,6 +67,16 @@ fn assert_sound(scene: &Scene) {
         assert!(rectangle.half_u.length() > 0.0 && rectangle.half_v.length() > 0.0, "{rectangle:?}");
         assert!(rectangle.material < scene.materials.len(), "{rectangle:?}");
     }
+    for triangle in &scene.triangles {
+        assert!(is_unit(triangle.normal) && triangle.vertices.iter().all(|v| v.is_finite()), "{triangle:?}");
+        assert!(triangle.material < scene.materials.len(), "{triangle:?}");
+    }
+    for (name, material) in &scene.materials {
+        assert!((0.02..=1.0).contains(&material.alpha), "{name}");
+        for share in [material.diffuse_albedo, material.f0, Vec3::splat(material.f90)] {
+            assert!(share.min_element() >= 0.0 && share.max_element() <= 1.0, "{name}");
+        }
+    }
     let [width, height] = scene.camera.size;
     for (column, row) in [(0, 0), (width - 1, height - 1), (width / 2, height / 2)] {
         let Ray { origin, direction } = scene.camera.ray(column, row);
@@ -74,13 +86,13 @@ fn assert_sound(scene: &Scene) {
 
 /// A change of a text.
 #[derive(Debug, Clone)]
-enum Change {
+pub(crate) enum Change {
     Remove(usize, usize),
     Insert(usize, String),
     Number(usize, String),
 }
 
-fn change() -> impl Strategy<Value = Change> {
+pub(crate) fn change() -> impl Strategy<Value = Change> {
     let numbers = [
         "0", "-0.0", "1e308", "-1e308", "1e-308", "1e9", "1", "-1", "null", "NaN", "90", "16385", "\"\"",
         "[]",
@@ -93,7 +105,7 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-fn changed(text: &str, change: &Change) -> String {
+pub(crate) fn changed(text: &str, change: &Change) -> String {
     let place =
         |at: usize| (at % (text.len() + 1)..).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
     match change {
