@@ -146,6 +146,11 @@ fn what_is_wrong_is_named() {
         ),
         ("/meshes/0/primitives/0/indices", json!(0), "accessors[0]: indices are SCALAR"),
         ("/meshes/0/primitives/0/attributes", json!({}), "glTF: "),
+        (
+            "/meshes/0/primitives/0/attributes/POSITION",
+            json!(90),
+            "meshes[0].primitives[0]: an attribute is accessor 90",
+        ),
         ("/meshes/0/primitives/0/material", json!(9), "glTF: meshes[0].primitives[0].material: Index out of"),
         ("/accessors/0/count", json!(4_000_000_000u32), "accessors[0]: 4000000000 elements do not fit into"),
         (

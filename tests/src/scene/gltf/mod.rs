@@ -13,6 +13,7 @@ mod nodes;
 mod notes;
 mod view;
 
+use super::limits::refused;
 use super::{Light, Scene, SceneError};
 use buffers::Buffers;
 use gltf::{Document, Gltf};
@@ -64,7 +65,7 @@ impl Scene {
 }
 
 fn read(bytes: &[u8], files: Files, choices: &Choices) -> Result<Scene, SceneError> {
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(malformed)?;
+    let Gltf { document, blob } = sound(bytes)?;
     let scene = chosen(&document)?;
     let mut notes = Notes::default();
     notes.of_document(&document);
@@ -81,6 +82,30 @@ fn read(bytes: &[u8], files: Files, choices: &Choices) -> Result<Scene, SceneErr
         triangles,
         notes: notes.sentences(),
     })
+}
+
+/// The document, all its indices inside their lists.
+fn sound(bytes: &[u8]) -> Result<Gltf, SceneError> {
+    let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(malformed)?;
+    let root = document.into_json();
+    positions(&root)?;
+    Ok(Gltf { document: Document::from_json(root).map_err(malformed)?, blob })
+}
+
+/// The crate's validation looks up what POSITION names before it asks whether it is there.
+fn positions(root: &gltf::json::Root) -> Result<(), SceneError> {
+    for (m, mesh) in root.meshes.iter().enumerate() {
+        for (p, primitive) in mesh.primitives.iter().enumerate() {
+            if let Some(index) =
+                primitive.attributes.values().find(|index| index.value() >= root.accessors.len())
+            {
+                let count = root.accessors.len();
+                let message = format!("an attribute is accessor {}, and there are {count}", index.value());
+                return refused(&format!("meshes[{m}].primitives[{p}]"), message);
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The default scene, or the first.
