@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 use lobe_backends::route::Route;
 use lobe_backends::routes::Machine;
 use lobe_tests::render::{Method, Picture, Renderer, Settings, auto_exposure, exr, png};
-use lobe_tests::scene::Scene;
+use lobe_tests::scene::{Choices, Scene, SceneError};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -18,7 +18,7 @@ const MOST_PIXELS: u64 = 1 << 20;
 /// Options.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// The scene: JSON in the format of tests/SCENES.md
+    /// The scene: glTF, or JSON in the format of tests/SCENES.md
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// direct, rect, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper or reference
@@ -33,6 +33,9 @@ pub(crate) struct Args {
     /// Put every component into the EXR file, as channels `NAME.R`, `NAME.G`, `NAME.B`
     #[arg(long)]
     layers: bool,
+    /// Name of the glTF file's camera, instead of its first
+    #[arg(long, value_name = "NAME")]
+    camera: Option<String>,
     /// Columns and rows, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
@@ -51,10 +54,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let writers =
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
-    let mut scene = read(&args.scene)?;
-    if let Some(size) = args.size {
-        scene.camera.size = size;
-    }
+    let scene = open(args)?;
     check_size(scene.camera.size)?;
     let begin = Instant::now();
     let picture = picture(args, &scene)?;
@@ -74,10 +74,26 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     }
 }
 
-/// The scene in a file.
-pub(crate) fn read(path: &Path) -> Result<Scene, Fail> {
-    let text = std::fs::read_to_string(path).map_err(|cause| Fail::Read { path: path.to_owned(), cause })?;
-    Scene::from_json(&text).map_err(|cause| Fail::Scene { path: path.to_owned(), cause })
+/// The scene in the file, in the size that is asked for.
+fn open(args: &Args) -> Result<Scene, Fail> {
+    let choices = Choices { camera: args.camera.clone(), ..Choices::default() };
+    let mut scene = Scene::open(&args.scene, &choices)
+        .map_err(|cause| refused(&args.scene, cause))?;
+    for note in &scene.notes {
+        eprintln!("lobe: {}: {note}", args.scene.display());
+    }
+    if let Some(size) = args.size {
+        scene.camera.size = size;
+    }
+    Ok(scene)
+}
+
+fn refused(path: &Path, cause: SceneError) -> Fail {
+    match cause {
+        // It names the file itself.
+        SceneError::File { .. } => Fail::Usage(cause.to_string()),
+        cause => Fail::Scene { path: path.to_owned(), cause },
+    }
 }
 
 fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {

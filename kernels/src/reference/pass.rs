@@ -132,10 +132,11 @@ pub fn bounce_sample_pass(
     let reflector = reflectors[chosen(choice.x, reflectors.len() as u32) as usize];
     let light = lights[chosen(choice.y, lights.len() as u32) as usize];
     if pixel.surface != NOWHERE && pixel.surface != reflector {
+        let own = surfaces[pixel.surface as usize];
         let surface = surfaces[reflector as usize];
         let rectangle = surface.rectangle;
         let central: Arriving = light_at(light, rectangle.position);
-        let material = materials[surfaces[pixel.surface as usize].material as usize];
+        let material = materials[own.material as usize];
         let rectangle_material = materials[surface.material as usize];
         let bounce = OneBounce {
             position: pixel.position,
@@ -164,13 +165,13 @@ pub fn bounce_sample_pass(
             let density = max(one_bounce_density(bounce, dir, meeting.z), 1e-20);
             let choices = (reflectors.len() as u32 * lights.len() as u32) as f32;
             contribution = bounce_scaled(one_bounce_parts(lit, dir), choices / density * arriving.irradiance);
-            to_light = ray_to_light(place, reflector, arriving);
+            to_light = ray_to_light(place, surface.shape, arriving);
             to_surface = SceneRay {
                 origin: pixel.position,
                 reach: meeting.z,
                 dir,
-                leaving: pixel.surface,
-                reaching: reflector,
+                leaving: own.shape,
+                reaching: surface.shape,
             };
         }
     }

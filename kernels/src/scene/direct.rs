@@ -28,8 +28,9 @@ pub fn glossy_part(material: Material) -> Material {
 pub fn light_ray_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[storage(0, 0)] seen: &[Seen],
-    #[storage(0, 1)] lights: &[SceneLight],
-    #[storage(0, 2)] shadow_rays: &mut [SceneRay],
+    #[storage(0, 1)] surfaces: &[Surface],
+    #[storage(0, 2)] lights: &[SceneLight],
+    #[storage(0, 3)] shadow_rays: &mut [SceneRay],
 ) {
     let i = id.x;
     if i >= shadow_rays.len() as u32 {
@@ -38,7 +39,9 @@ pub fn light_ray_pass(
     let count = lights.len() as u32;
     let pixel = seen[(i / count) as usize];
     let arriving = light_at(lights[(i % count) as usize], pixel.position);
-    let ray = ray_to_light(pixel.position, pixel.surface, arriving);
+    let last = surfaces.len() as u32 - 1;
+    let shape = surfaces[min(pixel.surface, last) as usize].shape;
+    let ray = ray_to_light(pixel.position, shape, arriving);
     let is_asked = pixel.surface != NOWHERE && dot(pixel.normal, arriving.dir) > 0.0;
     shadow_rays[i as usize] = SceneRay {
         origin: ray.origin,

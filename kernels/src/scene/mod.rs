@@ -93,6 +93,10 @@ pub struct Surface {
     pub rectangle: Rectangle,
     /// Index of the material.
     pub material: u32,
+    /// Index that its triangles have: its own, or that of its front.
+    pub shape: u32,
+    /// The surface that is seen from behind it; [`NOWHERE`] where that is black.
+    pub back: u32,
     /// Where along the upper side the apex of the triangle is, -1 ..= 1; 2 for the whole rectangle.
     #[domain(-1.0..=2.0)]
     pub apex: f32,
@@ -111,21 +115,9 @@ pub struct Seen {
     pub view: Vec3,
 }
 
-/// The pixel that a primary ray makes.
-///
-/// A surface that is seen from behind is black: it counts as none.
-#[kernel]
-pub fn seen_of_hit(ray: SceneRay, hit: Hit, normal: Vec3) -> Seen {
-    let is_seen = hit.surface != NOWHERE && dot(normal, ray.dir) < 0.0;
-    Seen {
-        position: ray.origin + hit.dist * ray.dir,
-        surface: select(NOWHERE, hit.surface, is_seen),
-        normal,
-        view: -ray.dir,
-    }
-}
-
 /// The pixels that rays and what they meet make: a pass.
+///
+/// A surface that is seen from behind is black, unless another one is its back.
 #[kernel(workgroup_size(64))]
 pub fn seen_pass(
     #[builtin(global_invocation_id)] id: UVec3,
@@ -135,9 +127,21 @@ pub fn seen_pass(
     #[storage(0, 3)] seen: &mut [Seen],
 ) {
     let i = id.x;
-    if i < seen.len() as u32 {
-        let hit = hits[i as usize];
-        let at = min(hit.surface, surfaces.len() as u32 - 1);
-        seen[i as usize] = seen_of_hit(rays[i as usize], hit, surfaces[at as usize].rectangle.normal);
+    if i >= seen.len() as u32 {
+        return;
     }
+    let ray = rays[i as usize];
+    let hit = hits[i as usize];
+    let last = surfaces.len() as u32 - 1;
+    let front = surfaces[min(hit.surface, last) as usize];
+    let facing = dot(front.rectangle.normal, ray.dir);
+    let behind = select(NOWHERE, front.back, facing > 0.0);
+    let met = select(behind, hit.surface, facing < 0.0);
+    let surface = select(NOWHERE, met, hit.surface != NOWHERE);
+    seen[i as usize] = Seen {
+        position: ray.origin + hit.dist * ray.dir,
+        surface,
+        normal: select(-front.rectangle.normal, front.rectangle.normal, facing < 0.0),
+        view: -ray.dir,
+    };
 }

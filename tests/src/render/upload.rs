@@ -1,13 +1,13 @@
 //! A scene as the passes want it.
 
 use super::bvh::Bvh;
-use crate::scene::{Camera, Light, Scene};
+use crate::scene::{self, Camera, Light, Scene};
 use lobe_codegen::glam::Vec3;
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::scene::camera::PinholeCamera;
 use lobe_kernels::scene::light::SceneLight;
-use lobe_kernels::scene::{Surface, Triangle};
+use lobe_kernels::scene::{NOWHERE, Surface, Triangle};
 
 /// The apex of a whole rectangle.
 const WHOLE: f32 = 2.0;
@@ -37,8 +37,14 @@ impl Uploaded {
     /// The buffers of `scene`.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let surfaces: Vec<Surface> = scene.rectangles.iter().map(surface).collect();
-        let triangles: Vec<Triangle> = (0_u32..).zip(&surfaces).flat_map(|(at, s)| halves(at, s)).collect();
+        let mut surfaces: Vec<Surface> = (0_u32..).zip(&scene.rectangles).map(surface).collect();
+        let mut triangles: Vec<Triangle> = surfaces.iter().flat_map(halves).collect();
+        for triangle in &scene.triangles {
+            let at = surfaces.len() as u32;
+            surfaces.extend(sides(at, triangle));
+            let [a, b, c] = triangle.vertices;
+            triangles.push(Triangle { a, surface: at, b, c });
+        }
         let camera = camera(&scene.camera);
         let bvh = Bvh::new(&triangles, SLACK * extent(&triangles, camera.position));
         let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
@@ -54,7 +60,7 @@ fn camera(camera: &Camera) -> PinholeCamera {
     PinholeCamera { position: camera.position(), width, forward, height, right, up }
 }
 
-fn surface(surface: &crate::scene::Surface) -> Surface {
+fn surface((at, surface): (u32, &scene::Surface)) -> Surface {
     let (half_x, half_y) = (surface.half_u.length(), surface.half_v.length());
     let rectangle = Rectangle {
         position: surface.center,
@@ -63,17 +69,45 @@ fn surface(surface: &crate::scene::Surface) -> Surface {
         half_x,
         half_y,
     };
-    Surface { rectangle, material: surface.material as u32, apex: WHOLE }
+    Surface { rectangle, material: surface.material as u32, shape: at, back: NOWHERE, apex: WHOLE }
 }
 
 /// The two triangles of a rectangle.
-fn halves(at: u32, surface: &Surface) -> [Triangle; 2] {
+fn halves(surface: &Surface) -> [Triangle; 2] {
     let rectangle = surface.rectangle;
     let u = rectangle.half_x * rectangle.tangent;
     let v = rectangle.half_y * rectangle.normal.cross(rectangle.tangent);
     let corner = |a: f32, b: f32| rectangle.position + a * u + b * v;
-    let triangle = |b: Vec3, c: Vec3| Triangle { a: corner(-1.0, -1.0), surface: at, b, c };
+    let triangle = |b: Vec3, c: Vec3| Triangle { a: corner(-1.0, -1.0), surface: surface.shape, b, c };
     [triangle(corner(1.0, -1.0), corner(1.0, 1.0)), triangle(corner(1.0, 1.0), corner(-1.0, 1.0))]
+}
+
+/// The surface of a triangle, the `at`-th, and its back if it has one.
+fn sides(at: u32, triangle: &scene::Triangle) -> Vec<Surface> {
+    let [a, b, c] = triangle.vertices;
+    let side = |vertices, normal, back| {
+        let (rectangle, apex) = around(vertices, normal);
+        Surface { rectangle, material: triangle.material as u32, shape: at, back, apex }
+    };
+    if triangle.two_sided {
+        vec![side([a, b, c], triangle.normal, at + 1), side([a, c, b], -triangle.normal, at)]
+    } else {
+        vec![side([a, b, c], triangle.normal, NOWHERE)]
+    }
+}
+
+/// The rectangle around a triangle, on its longest side, and where its apex is.
+fn around(vertices: [Vec3; 3], normal: Vec3) -> (Rectangle, f32) {
+    let length = |i: usize| (vertices[(i + 1) % 3] - vertices[i]).length_squared();
+    let longest = (0..3).max_by(|i, j| length(*i).total_cmp(&length(*j))).unwrap_or(0);
+    let [a, b, c] = [0, 1, 2].map(|i| vertices[(longest + i) % 3]);
+    let base = b - a;
+    let tangent = base.normalize();
+    let across = normal.cross(tangent);
+    let (half_x, half_y) = (0.5 * base.length(), 0.5 * (c - a).dot(across));
+    let position = a + half_x * tangent + half_y * across;
+    let apex = ((c - a).dot(tangent) / half_x - 1.0).clamp(-1.0, 1.0);
+    (Rectangle { position, normal, tangent, half_x, half_y }, apex)
 }
 
 /// The greatest coordinate, or distance from the camera along an axis.
