@@ -54,6 +54,7 @@ pub mod operations;
 pub mod oracle;
 pub mod overhead;
 pub mod perturbed;
+pub mod proxies;
 pub mod question;
 pub mod render;
 pub mod report;

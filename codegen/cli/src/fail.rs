@@ -10,6 +10,7 @@ use lobe_tests::export::ExportError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::overhead::OverheadError;
+use lobe_tests::proxies::ProxiesError;
 use lobe_tests::render::FileError;
 use lobe_tests::report::merge::MergeError;
 use lobe_tests::scene::SceneError;
@@ -82,6 +83,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Merge(#[from] MergeError),
     #[error(transparent)]
+    Proxies(#[from] ProxiesError),
+    #[error(transparent)]
     Bench(#[from] BenchError),
     #[error(transparent)]
     Overhead(#[from] OverheadError),
@@ -118,6 +121,7 @@ impl Fail {
             | Self::Stdout(_)
             | Self::Expectation(_)
             | Self::Merge(_)
+            | Self::Proxies(_)
             | Self::Export(
                 ExportError::NothingKnown { .. }
                 | ExportError::PartlyKnown { .. }

@@ -20,6 +20,7 @@ mod mutate;
 mod operations;
 mod oracle;
 mod output;
+mod proxies;
 mod render;
 mod report;
 mod route;
@@ -64,6 +65,8 @@ enum Command {
     Measure(measure::Args),
     /// Seed faults into kernels and count those that the harness notices
     Mutate(mutate::Args),
+    /// Make a few rectangles in place of a scene's triangles
+    Proxies(proxies::Args),
     /// Render a scene by a method of interreflection, or the truth by sampling
     Render(render::Args),
     /// Draw the figures of the papers from the kernels
@@ -100,6 +103,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Oracle(args) => oracle::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Mutate(args) => mutate::run(args),
+        Command::Proxies(args) => proxies::run(args),
         Command::Render(args) => render::run(args),
         Command::Figures(args) => figures::run(args),
         Command::Bench(args) => bench::run(args),

@@ -91,6 +91,35 @@ fn faults_and_throughput() {
 }
 
 #[test]
+fn proxies_of_scenes() {
+    for (scene, count) in [("room.gltf", 5), ("plates.gltf", 3), ("cornell_L0.json", 6)] {
+        let path = at("tests/cases/scenes").join(scene).display().to_string();
+        let value = document("proxies", &["proxies", &path]);
+        assert!(value["count"].as_u64() >= Some(count), "{value}");
+    }
+}
+
+#[test]
+fn proxies_are_written_and_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (scene, out) =
+        (at("tests/cases/scenes/room.gltf").display().to_string(), folder.path().join("p.json"));
+    let output = lobe(&["proxies", &scene, "--count", "3", "-o", &out.display().to_string()]);
+    assert!(text(&output.stdout).starts_with("3 rectangles for 50 triangles"), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("room.gltf: a roughness below 0.141"), "{}", text(&output.stderr));
+    let written: Value = serde_json::from_slice(&std::fs::read(&out).expect("written")).expect("JSON");
+    assert_follows(&schema("proxies"), &written);
+    for (args, message) in [
+        (vec!["--count", "1"], "1 proxies are too few: 3 are left"),
+        (vec!["--angle", "0"], "the angle in degrees is 0: it must be above 0"),
+    ] {
+        let output = lobe(&[&["proxies", &scene][..], &args].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(message), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
 fn runs_of_shaders() {
     let corpus = at("tests/cases/corpus").display().to_string();
     let found = lines("run", &["run", "--batch", &corpus]);

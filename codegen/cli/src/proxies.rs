@@ -1,0 +1,72 @@
+//! `lobe proxies`: rectangles in place of a mesh.
+
+use crate::fail::{Fail, Outcome};
+use crate::output::{self, ListFormat};
+use lobe_codegen::prelude::Vec3;
+use lobe_tests::proxies::{Options, proxies};
+use lobe_tests::scene::{Choices, Light, Scene};
+use std::path::PathBuf;
+
+/// Options.
+#[derive(Debug, clap::Args)]
+#[command(after_help = HELP)]
+pub(crate) struct Args {
+    /// The scene: `.gltf`, `.glb`, or JSON (tests/SCENES.md)
+    scene: PathBuf,
+    /// File to write the proxies to, as JSON
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Merge down to at most so many, those first that add least error
+    #[arg(long, value_name = "N")]
+    count: Option<usize>,
+    /// How far normals may be from the mean of their rectangle, in degrees
+    #[arg(long, value_name = "DEG", default_value_t = 10.0)]
+    angle: f64,
+    /// How far corners may be from their rectangle, in metres; 0.005 of the scene's diagonal unless this is given
+    #[arg(long, value_name = "M")]
+    distance: Option<f64>,
+    /// Merge surfaces of several materials too; a rectangle has the one of most area
+    #[arg(long)]
+    merge_materials: bool,
+    /// Form of the report
+    #[arg(long, value_enum, default_value_t = ListFormat::Human)]
+    format: ListFormat,
+}
+
+const HELP: &str = "\
+Regions grow over triangles that share an edge and a material, as long as --angle and --distance hold; the proxy of a \
+region is the rectangle of least area around it in its mean plane. With --count, the pair of regions is merged that adds \
+least error: area counts once where it is --distance off the plane, once where its normals are --angle off, and once where \
+a rectangle is empty. Rectangles of a JSON scene are proxies as they are.
+
+Exit codes: 0 the proxies are made, 2 the scene or an option is refused.";
+
+/// Taken where a file has no light: proxies are made of surfaces alone.
+const ANY: Light = Light::Directional { to_light: Vec3::Y, irradiance: Vec3::ONE };
+
+/// Runs the subcommand.
+pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
+    let name = args.scene.display();
+    let choices = Choices { light: Some(ANY), ..Choices::default() };
+    let scene =
+        Scene::open(&args.scene, &choices).map_err(|cause| Fail::Usage(format!("{name}: {cause}")))?;
+    for note in &scene.notes {
+        eprintln!("lobe: {name}: {note}");
+    }
+    let options = Options {
+        angle: args.angle.to_radians(),
+        distance: args.distance,
+        count: args.count,
+        merge_materials: args.merge_materials,
+    };
+    let found = proxies(&scene, &options)?;
+    let json = found.to_json()?;
+    if let Some(path) = &args.output {
+        output::write_file(path, json.as_bytes())?;
+    }
+    output::print(&match args.format {
+        ListFormat::Human => found.summary().to_string(),
+        ListFormat::Json => json,
+    })?;
+    Ok(Outcome::Holds)
+}
