@@ -4,7 +4,7 @@ use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use lobe_codegen::prelude::Vec3;
 use lobe_tests::proxies::{Options, proxies};
-use lobe_tests::scene::{Choices, Light, Scene};
+use lobe_tests::scene::{Choices, Light, Scene, SceneError};
 use std::path::PathBuf;
 
 /// Options.
@@ -48,8 +48,11 @@ const ANY: Light = Light::Directional { to_light: Vec3::Y, irradiance: Vec3::ONE
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let name = args.scene.display();
     let choices = Choices { light: Some(ANY), ..Choices::default() };
-    let scene =
-        Scene::open(&args.scene, &choices).map_err(|cause| Fail::Usage(format!("{name}: {cause}")))?;
+    let scene = Scene::open(&args.scene, &choices).map_err(|cause| match cause {
+        // It names the file, which may be another.
+        SceneError::File { .. } => Fail::Usage(cause.to_string()),
+        _ => Fail::Usage(format!("{name}: {cause}")),
+    })?;
     for note in &scene.notes {
         eprintln!("lobe: {name}: {note}");
     }
