@@ -231,7 +231,7 @@ proptest! {
 fn no_other_direction_gives_a_smaller_rectangle() {
     let plane = moments::Plane { point: DVec3::ZERO, normal: DVec3::Z };
     let points: Vec<DVec3> = (0..60)
-        .map(|i| f64::from(i))
+        .map(f64::from)
         .map(|i| DVec3::new(3.0 * (i * 1.7).sin(), (i * 2.3).cos() + 0.3 * i.sin(), 0.0))
         .collect();
     let best = rectangle::around(&points, &plane).area();
