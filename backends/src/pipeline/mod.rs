@@ -28,6 +28,7 @@
 //! # Ok::<(), lobe_backends::executor::ExecError>(())
 //! ```
 
+mod bounds;
 mod dispatch;
 mod driver;
 mod interpreted;

@@ -4,8 +4,11 @@ use crate::fail::{Fail, Outcome};
 use crate::output;
 use indicatif::ProgressBar;
 use lobe_backends::route::Route;
-use lobe_backends::routes::Machine;
-use lobe_tests::render::{Method, Picture, Renderer, Settings, auto_exposure, exr, png};
+use lobe_backends::routes::{Machine, OpenError, State};
+use lobe_tests::proxies::{self, Options, Proxies};
+use lobe_tests::render::{
+    Judged, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr, png, summary,
+};
 use lobe_tests::scene::{Choices, Scene, SceneError};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -28,11 +31,21 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = Route::Interp)]
     route: Route,
     /// Files to write: `.exr` with linear radiance, `.png` for looking at
-    #[arg(short, long, value_name = "FILE", required = true)]
+    #[arg(short, long, value_name = "FILE", required_unless_present = "check")]
     output: Vec<PathBuf>,
+    /// Run every pass on every ready route, from the interpreter's buffers, and judge what it leaves by the derived bounds;
+    /// slow: give a small --size
+    #[arg(long, conflicts_with_all = ["route", "output"])]
+    check: bool,
+    /// Of a check: end with exit code 3 if one of these routes is missing
+    #[arg(long = "require", value_name = "ROUTE", requires = "check")]
+    require: Vec<Route>,
     /// Put every component into the EXR file, as channels `NAME.R`, `NAME.G`, `NAME.B`
     #[arg(long)]
     layers: bool,
+    /// Rectangles in place of the scene, by `lobe proxies`; made for it if not given
+    #[arg(long, value_name = "FILE")]
+    proxies: Option<PathBuf>,
     /// Name of the glTF file's camera, instead of its first
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
@@ -56,6 +69,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
     let scene = open(args)?;
     check_size(scene.camera.size)?;
+    if args.check {
+        return judge(args, &scene);
+    }
     let begin = Instant::now();
     let picture = picture(args, &scene)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -77,8 +93,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 /// The scene in the file, in the size that is asked for.
 fn open(args: &Args) -> Result<Scene, Fail> {
     let choices = Choices { camera: args.camera.clone(), ..Choices::default() };
-    let mut scene = Scene::open(&args.scene, &choices)
-        .map_err(|cause| refused(&args.scene, cause))?;
+    let mut scene = Scene::open(&args.scene, &choices).map_err(|cause| refused(&args.scene, cause))?;
     for note in &scene.notes {
         eprintln!("lobe: {}: {note}", args.scene.display());
     }
@@ -96,15 +111,83 @@ fn refused(path: &Path, cause: SceneError) -> Fail {
     }
 }
 
+/// All passes on all ready routes.
+fn judge(args: &Args, scene: &Scene) -> Result<Outcome, Fail> {
+    let machine = Machine::look();
+    for route in &args.require {
+        if let State::Missing { what, mend } = machine.state(route) {
+            return Err(OpenError::Missing { route: route.clone(), what, mend }.into());
+        }
+    }
+    let renderer = Renderer::new()?;
+    let mut routes = Vec::new();
+    for (route, state) in machine.routes().into_iter().filter(|(route, _)| *route != Route::Native) {
+        match state {
+            State::Ready => routes.push(machine.dispatcher(&route)?),
+            State::Missing { what, mend } => {
+                output::print(&format!("skipped    {route}: {what} ({mend})\n"))?
+            }
+        }
+    }
+    let mut judged = Judged::new(routes);
+    let proxies = proxies(args, scene)?;
+    let bar: ProgressBar = output::progress(STEPS);
+    let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
+    renderer.render(scene, &proxies, &settings(args), &mut judged, &progress)?;
+    bar.finish_and_clear();
+    report(&summary(&judged.verdicts))
+}
+
+/// A line for each pass and route.
+fn report(verdicts: &[PassVerdict]) -> Result<Outcome, Fail> {
+    for verdict in verdicts {
+        let PassVerdict { pass, route, words, differing, unknown, outside, share, .. } = verdict;
+        let word = if verdict.holds() { "holds" } else { "falls short" };
+        let mut line = format!(
+            "{word:12} {pass:24} {route:24} {words} words, {differing} differ, {unknown} without bound, {outside} outside, share {share:.3}\n"
+        );
+        if let Some(first) = &verdict.first {
+            line += &format!("             {first}\n");
+        }
+        if !verdict.disagrees_with.is_empty() {
+            line += &format!("             other bits than {}\n", verdict.disagrees_with.join(", "));
+        }
+        output::print(&line)?;
+    }
+    let fell_short = verdicts.iter().filter(|verdict| !verdict.holds()).count();
+    output::print(&format!("{} hold, {fell_short} fall short\n", verdicts.len() - fell_short))?;
+    Ok(if fell_short == 0 { Outcome::Holds } else { Outcome::FellShort })
+}
+
+fn settings(args: &Args) -> Settings {
+    Settings { method: args.method, samples: args.samples, radius_factor: args.radius_factor }
+}
+
 fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
     let renderer = Renderer::new()?;
     let mut dispatcher = Machine::look().dispatcher(&args.route)?;
-    let settings = Settings { method: args.method, samples: args.samples, radius_factor: args.radius_factor };
+    let proxies = proxies(args, scene)?;
     let bar: ProgressBar = output::progress(STEPS);
     let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
-    let picture = renderer.render(scene, &settings, dispatcher.as_mut(), &progress)?;
+    let picture = renderer.render(scene, &proxies, &settings(args), dispatcher.as_mut(), &progress)?;
     bar.finish_and_clear();
     Ok(picture)
+}
+
+/// The rectangles in place of the scene: those of a file, or made for it.
+fn proxies(args: &Args, scene: &Scene) -> Result<Proxies, Fail> {
+    let Some(path) = &args.proxies else { return Ok(proxies::proxies(scene, &Options::default())?) };
+    let text = std::fs::read_to_string(path).map_err(|cause| Fail::Read { path: path.clone(), cause })?;
+    let found = Proxies::from_json(&text)?;
+    let known = scene.materials.len();
+    match found.rectangles.iter().find(|proxy| proxy.material >= known) {
+        Some(proxy) => Err(Fail::Usage(format!(
+            "{}: a proxy has material {}, and the scene has {known}: make the proxies of this scene by `lobe proxies`",
+            path.display(),
+            proxy.material
+        ))),
+        None => Ok(found),
+    }
 }
 
 /// A form of file.

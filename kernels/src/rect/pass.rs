@@ -4,13 +4,26 @@
 //! of [`super::pixel`].
 
 use crate::brdf::Material;
+use crate::rect::Rectangle;
 use crate::rect::pixel::{
     RectBounce, RectPixel, rect_pixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace,
     rect_pixel_laplace_fast, rect_pixel_laplace_single, rect_pixel_paper, rect_pixel_sg,
 };
-use crate::scene::light::{SceneLight, light_at};
+use crate::scene::light::{Arriving, SceneLight, light_at};
 use crate::scene::{NOWHERE, Seen, Surface};
 use lobe_codegen::prelude::*;
+
+/// A rectangle that reflects, in place of what it is the rectangle of.
+#[kernel]
+pub struct RectProxy {
+    /// The rectangle.
+    pub rectangle: Rectangle,
+    /// Index of the material.
+    pub material: u32,
+    /// Share of its area that reflects.
+    #[domain(0.0..=1.0)]
+    pub fill: f32,
+}
 
 /// What holds for all pixels.
 #[kernel]
@@ -20,6 +33,13 @@ pub struct RectSettings {
     pub radius_factor: f32,
 }
 
+/// What arrives at a proxy's middle, lessened by what of it does not reflect.
+#[kernel]
+pub fn light_share(light: SceneLight, proxy: RectProxy) -> Arriving {
+    let arriving = light_at(light, proxy.rectangle.position);
+    Arriving { dir: arriving.dir, dist: arriving.dist, irradiance: proxy.fill * arriving.irradiance }
+}
+
 /// The corrected method: [`rect_pixel`].
 #[kernel(workgroup_size(64))]
 pub fn rect_pass(
@@ -27,7 +47,7 @@ pub fn rect_pass(
     #[uniform(0, 0)] settings: &RectSettings,
     #[storage(0, 1)] seen: &[Seen],
     #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[Surface],
+    #[storage(0, 3)] proxies: &[RectProxy],
     #[storage(0, 4)] materials: &[Material],
     #[storage(0, 5)] lights: &[SceneLight],
     #[storage(0, 6)] indirect: &mut [RectPixel],
@@ -44,7 +64,7 @@ pub fn rect_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel(bounce, settings.radius_factor));
@@ -61,7 +81,7 @@ pub fn rect_paper_pass(
     #[uniform(0, 0)] settings: &RectSettings,
     #[storage(0, 1)] seen: &[Seen],
     #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[Surface],
+    #[storage(0, 3)] proxies: &[RectProxy],
     #[storage(0, 4)] materials: &[Material],
     #[storage(0, 5)] lights: &[SceneLight],
     #[storage(0, 6)] indirect: &mut [RectPixel],
@@ -78,7 +98,7 @@ pub fn rect_paper_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel_paper(bounce, settings.radius_factor));
@@ -95,7 +115,7 @@ pub fn rect_sg_pass(
     #[uniform(0, 0)] settings: &RectSettings,
     #[storage(0, 1)] seen: &[Seen],
     #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[Surface],
+    #[storage(0, 3)] proxies: &[RectProxy],
     #[storage(0, 4)] materials: &[Material],
     #[storage(0, 5)] lights: &[SceneLight],
     #[storage(0, 6)] indirect: &mut [RectPixel],
@@ -112,7 +132,7 @@ pub fn rect_sg_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel_sg(bounce, settings.radius_factor));
@@ -128,7 +148,7 @@ pub fn rect_laplace_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[storage(0, 0)] seen: &[Seen],
     #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 2)] proxies: &[RectProxy],
     #[storage(0, 3)] materials: &[Material],
     #[storage(0, 4)] lights: &[SceneLight],
     #[storage(0, 5)] indirect: &mut [RectPixel],
@@ -145,7 +165,7 @@ pub fn rect_laplace_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel_laplace(bounce));
@@ -161,7 +181,7 @@ pub fn rect_laplace_single_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[storage(0, 0)] seen: &[Seen],
     #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 2)] proxies: &[RectProxy],
     #[storage(0, 3)] materials: &[Material],
     #[storage(0, 4)] lights: &[SceneLight],
     #[storage(0, 5)] indirect: &mut [RectPixel],
@@ -178,7 +198,7 @@ pub fn rect_laplace_single_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel_laplace_single(bounce));
@@ -194,7 +214,7 @@ pub fn rect_laplace_fast_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[storage(0, 0)] seen: &[Seen],
     #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[Surface],
+    #[storage(0, 2)] proxies: &[RectProxy],
     #[storage(0, 3)] materials: &[Material],
     #[storage(0, 4)] lights: &[SceneLight],
     #[storage(0, 5)] indirect: &mut [RectPixel],
@@ -211,7 +231,7 @@ pub fn rect_laplace_fast_pass(
             let proxy = proxies[k as usize];
             let reflector = materials[proxy.material as usize];
             for l in 0..lights.len() as u32 {
-                let arriving = light_at(lights[l as usize], proxy.rectangle.position);
+                let arriving = light_share(lights[l as usize], proxy);
                 let rectangle = proxy.rectangle;
                 let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
                 sum = rect_pixel_add(sum, rect_pixel_laplace_fast(bounce));

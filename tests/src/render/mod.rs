@@ -6,15 +6,18 @@
 mod bounce;
 pub mod bvh;
 mod file;
+mod judged;
 mod method;
 mod picture;
 mod upload;
 
 pub use file::{FileError, auto_exposure, exr, png};
+pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
 pub use picture::{Layer, Picture};
 pub use upload::Uploaded;
 
+use crate::proxies::Proxies;
 use crate::scene::Scene;
 use lobe_backends::executor::ExecError;
 use lobe_backends::pipeline::{Dispatcher, Memory, Pipeline};
@@ -62,18 +65,19 @@ impl Renderer {
         &self.pipeline
     }
 
-    /// The picture of `scene`; `progress` is told which share of the work is done.
+    /// The picture of `scene`, in whose place the methods of rectangles take `proxies`; `progress` is told which share of the work is done.
     ///
     /// # Errors
     /// When a pass cannot be run by `dispatcher`.
     pub fn render<'p>(
         &'p self,
         scene: &Scene,
+        proxies: &Proxies,
         settings: &Settings,
         dispatcher: &mut dyn Dispatcher<'p>,
         progress: &dyn Fn(f32),
     ) -> Result<Picture, ExecError> {
-        let mut frame = Frame::new(&self.pipeline, scene, settings, dispatcher)?;
+        let mut frame = Frame::new(&self.pipeline, Uploaded::new(scene, proxies), settings, dispatcher)?;
         frame.see()?;
         let mut picture = frame.direct()?;
         let indirect = match (settings.method, settings.method.rect_pass()) {
@@ -99,24 +103,23 @@ struct Frame<'p, 'd> {
 impl<'p, 'd> Frame<'p, 'd> {
     fn new(
         pipeline: &'p Pipeline,
-        scene: &Scene,
+        uploaded: Uploaded,
         settings: &Settings,
         dispatcher: &'d mut dyn Dispatcher<'p>,
     ) -> Result<Self, ExecError> {
-        let uploaded = Uploaded::new(scene);
         let mut memory = Memory::default();
         memory.put("camera", pipeline.pack("camera", &[uploaded.camera])?);
         memory.put("nodes", pipeline.pack("nodes", &uploaded.bvh.nodes)?);
         memory.put("triangles", pipeline.pack("triangles", &uploaded.bvh.triangles)?);
         memory.put("surfaces", pipeline.pack("surfaces", &uploaded.surfaces)?);
-        memory.put("proxies", pipeline.pack("proxies", &uploaded.surfaces)?);
+        memory.put("proxies", pipeline.pack("proxies", &uploaded.proxies)?);
         memory.put("materials", pipeline.pack("materials", &uploaded.materials)?);
         memory.put("lights", pipeline.pack("lights", &uploaded.lights)?);
         memory.put("reflectors", pipeline.pack("reflectors", &uploaded.reflectors)?);
         let settings_of_rect = RectSettings { radius_factor: settings.radius_factor };
         memory.put("settings", pipeline.pack("settings", &[settings_of_rect])?);
-        let lights = uploaded.lights.len() as u32;
-        Ok(Self { pipeline, dispatcher, memory, settings: *settings, size: scene.camera.size, lights })
+        let (lights, size) = (uploaded.lights.len() as u32, [uploaded.camera.width, uploaded.camera.height]);
+        Ok(Self { pipeline, dispatcher, memory, settings: *settings, size, lights })
     }
 
     fn pixels(&self) -> u32 {

@@ -1,10 +1,12 @@
 //! A scene as the passes want it.
 
 use super::bvh::Bvh;
+use crate::proxies::{Proxies, Proxy};
 use crate::scene::{self, Camera, Light, Scene};
 use lobe_codegen::glam::Vec3;
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
+use lobe_kernels::rect::pass::RectProxy;
 use lobe_kernels::scene::camera::PinholeCamera;
 use lobe_kernels::scene::light::SceneLight;
 use lobe_kernels::scene::{NOWHERE, Surface, Triangle};
@@ -29,14 +31,16 @@ pub struct Uploaded {
     pub materials: Vec<Material>,
     /// The lights.
     pub lights: Vec<SceneLight>,
+    /// Rectangles in their place, for the methods of rectangles.
+    pub proxies: Vec<RectProxy>,
     /// Those surfaces that a light can shine on; at least one.
     pub reflectors: Vec<u32>,
 }
 
 impl Uploaded {
-    /// The buffers of `scene`.
+    /// The buffers of `scene`, with `proxies` in its place.
     #[must_use]
-    pub fn new(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene, proxies: &Proxies) -> Self {
         let mut surfaces: Vec<Surface> = (0_u32..).zip(&scene.rectangles).map(surface).collect();
         let mut triangles: Vec<Triangle> = surfaces.iter().flat_map(halves).collect();
         for triangle in &scene.triangles {
@@ -50,7 +54,8 @@ impl Uploaded {
         let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
         let materials = scene.materials.iter().map(|(_, material)| *material).collect();
         let reflectors = reflectors(&surfaces, &lights);
-        Self { camera, bvh, surfaces, materials, lights, reflectors }
+        let proxies = proxies.rectangles.iter().flat_map(proxy).collect();
+        Self { camera, bvh, surfaces, materials, lights, proxies, reflectors }
     }
 }
 
@@ -108,6 +113,23 @@ fn around(vertices: [Vec3; 3], normal: Vec3) -> (Rectangle, f32) {
     let position = a + half_x * tangent + half_y * across;
     let apex = ((c - a).dot(tangent) / half_x - 1.0).clamp(-1.0, 1.0);
     (Rectangle { position, normal, tangent, half_x, half_y }, apex)
+}
+
+/// A proxy, and its back if it has one.
+fn proxy(proxy: &Proxy) -> Vec<RectProxy> {
+    let side = |normal: Vec3| RectProxy {
+        rectangle: Rectangle {
+            position: proxy.position,
+            normal,
+            tangent: proxy.tangent,
+            half_x: proxy.half_x,
+            half_y: proxy.half_y,
+        },
+        material: proxy.material as u32,
+        fill: proxy.fill,
+    };
+    let back = proxy.two_sided.then(|| side(-proxy.normal));
+    std::iter::once(side(proxy.normal)).chain(back).collect()
 }
 
 /// The greatest coordinate, or distance from the camera along an axis.

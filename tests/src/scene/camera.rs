@@ -44,6 +44,12 @@ impl Camera {
         self.position.as_vec3()
     }
 
+    /// The same camera where everything is `factor` times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f32) -> Self {
+        Self { position: f64::from(factor) * self.position, ..*self }
+    }
+
     /// The unit direction of view; and at distance 1, from the middle of the picture to that of its right and of its upper
     /// side.
     #[must_use]
