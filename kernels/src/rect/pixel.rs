@@ -106,7 +106,10 @@ pub fn rect_pixel_matt(bounce: RectBounce) -> Vec3 {
 /// What the pixel's diffuse lobe reflects of a disk's lobe about `axis`.
 #[kernel]
 pub fn rect_pixel_diffuse(bounce: RectBounce, axis: Vec3, shade: RectShade) -> Vec3 {
-    let value = rect_diffuse_glossy(axis, shade.lambda, shade.mu, shade.energy, bounce.seen.normal, 1.0);
+    // As printed, the bandwidths of a disk that is wide against its distance are negative.
+    let lambda = max(shade.lambda, 0.0);
+    let mu = max(shade.mu, 0.0);
+    let value = rect_diffuse_glossy(axis, lambda, mu, shade.energy, bounce.seen.normal, 1.0);
     value * (bounce.receiver.diffuse_albedo * rect_reflector_colour(bounce, axis))
 }
 
