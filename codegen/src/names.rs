@@ -13,7 +13,8 @@
 
 mod words;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use naga::FastHashMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -143,8 +144,7 @@ pub fn check_member(name: &str) -> Result<(), NameError> {
 /// What `name` already means, by language; empty for a free word.
 pub fn meanings(name: &str) -> Vec<(Meaning, Language)> {
     let mut found = WORDS.get(name).cloned().unwrap_or_default();
-    let in_any_case = words::HLSL_ANY_CASE.split(' ').any(|word| word.eq_ignore_ascii_case(name));
-    if in_any_case && !found.iter().any(|&(_, language)| language == Language::Hlsl) {
+    if is_word_in_any_case(name) && !found.iter().any(|&(_, language)| language == Language::Hlsl) {
         found.push((Meaning::Keyword, Language::Hlsl));
     }
     found
@@ -157,17 +157,23 @@ pub fn words() -> impl Iterator<Item = (&'static str, BTreeSet<Language>)> {
 
 /// The words that HLSL keeps for itself in any mixture of cases.
 pub fn words_in_any_case() -> impl Iterator<Item = &'static str> {
-    words::HLSL_ANY_CASE.split(' ')
+    words::HLSL_ANY_CASE.into_iter()
+}
+
+fn is_word_in_any_case(name: &str) -> bool {
+    words_in_any_case().any(|word| word.eq_ignore_ascii_case(name))
 }
 
 fn check_spelling(name: &str) -> Result<(), NameError> {
     let first = name.chars().next().ok_or(NameError::Empty)?;
-    let offending = |c: &char| !(c.is_ascii_alphanumeric() || *c == '_');
-    let wrong = if first.is_ascii_digit() { Some(first) } else { name.chars().find(offending) };
-    if let Some(character) = wrong {
+    let is_portable = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    if first.is_ascii_digit() || !name.bytes().all(is_portable) {
+        let offending = |c: &char| !u8::try_from(*c).is_ok_and(is_portable);
+        let wrong = name.chars().find(offending).filter(|_| !first.is_ascii_digit());
+        let character = wrong.unwrap_or(first);
         return Err(NameError::Character { name: name.to_owned(), character });
     }
-    if name.starts_with('_') || name.ends_with('_') || name.contains("__") {
+    if name.starts_with('_') || name.ends_with('_') || name.as_bytes().windows(2).any(|two| two == b"__") {
         return Err(NameError::Underscore(name.to_owned()));
     }
     match PREFIXES.iter().find(|(prefix, _)| name.starts_with(prefix)) {
@@ -177,6 +183,10 @@ fn check_spelling(name: &str) -> Result<(), NameError> {
 }
 
 fn refuse(name: &str, counts: impl Fn(Meaning) -> bool) -> Result<(), NameError> {
+    // Most names mean nothing, and every name of a module is asked for.
+    if !WORDS.contains_key(name) && !is_word_in_any_case(name) {
+        return Ok(());
+    }
     let mut by_meaning: BTreeMap<Meaning, Vec<Language>> = BTreeMap::new();
     for (meaning, language) in meanings(name).into_iter().filter(|&(meaning, _)| counts(meaning)) {
         by_meaning.entry(meaning).or_default().push(language);
@@ -200,12 +210,12 @@ fn enumerate(languages: &[Language]) -> String {
     }
 }
 
-type Table = HashMap<String, Vec<(Meaning, Language)>>;
+type Table = FastHashMap<String, Vec<(Meaning, Language)>>;
 
 static WORDS: LazyLock<Table> = LazyLock::new(|| {
     use Language::{Glsl, Hlsl, Msl, Wgsl};
     use Meaning::{Function, Keyword, Macro, Predeclared, Type};
-    let mut table = Table::new();
+    let mut table = Table::default();
     add(&mut table, Keyword, Wgsl, naga::keywords::wgsl::RESERVED.iter().map(|&w| w.to_owned()));
     let predeclared = naga::keywords::wgsl::BUILTIN_IDENTIFIERS.iter().map(|&w| w.to_owned());
     add(&mut table, Predeclared, Wgsl, predeclared);

@@ -3,8 +3,8 @@
 use super::Target;
 use super::mark::is_predeclared;
 use crate::names::{self, NameError};
-use naga::{Function, Module, TypeInner};
-use std::collections::HashMap;
+use naga::{FastHashMap, Function, Module, TypeInner};
+use std::fmt;
 
 /// Why an item cannot have its declared name in every target.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -63,22 +63,22 @@ pub(super) fn check(module: &Module) -> Result<(), ClashError> {
         if let TypeInner::Struct { members, .. } = &ty.inner
             && !is_predeclared(module, handle)
         {
-            let name = scope.claim(ty.name.as_deref(), "a structure".to_owned())?;
+            let name = scope.claim(ty.name.as_deref(), Item::Structure)?;
             check_members(name, members)?;
         }
     }
     for (_, constant) in module.constants.iter().filter(|(_, c)| c.name.is_some()) {
-        scope.claim(constant.name.as_deref(), "a constant".to_owned())?;
+        scope.claim(constant.name.as_deref(), Item::Constant)?;
     }
     for (_, global) in module.global_variables.iter() {
-        scope.claim(global.name.as_deref(), "a global variable".to_owned())?;
+        scope.claim(global.name.as_deref(), Item::Global)?;
     }
     for (_, function) in module.functions.iter() {
-        let name = scope.claim(function.name.as_deref(), "a function".to_owned())?;
+        let name = scope.claim(function.name.as_deref(), Item::Function)?;
         check_arguments(name, function)?;
     }
     for entry in &module.entry_points {
-        let name = scope.claim(Some(&entry.name), "an entry point".to_owned())?;
+        let name = scope.claim(Some(&entry.name), Item::Entry)?;
         check_arguments(name, &entry.function)?;
     }
     Ok(())
@@ -87,9 +87,9 @@ pub(super) fn check(module: &Module) -> Result<(), ClashError> {
 fn check_members(owner: &str, members: &[naga::StructMember]) -> Result<(), ClashError> {
     let mut scope = Scope { check: Some(names::check_member), ..Scope::default() };
     for member in members {
-        let name = scope.claim(member.name.as_deref(), format!("a member of `{owner}`"))?;
+        let name = scope.claim(member.name.as_deref(), Item::Member(owner))?;
         if name == owner {
-            let first = "a structure".to_owned();
+            let first = Item::Structure.to_string();
             let second = "its own member (the constructor, in languages like C++)".to_owned();
             return Err(ClashError::Twice { name: name.to_owned(), first, second });
         }
@@ -100,27 +100,58 @@ fn check_members(owner: &str, members: &[naga::StructMember]) -> Result<(), Clas
 fn check_arguments(owner: &str, function: &Function) -> Result<(), ClashError> {
     let mut scope = Scope::default();
     for argument in function.arguments.iter().filter(|a| a.name.is_some()) {
-        scope.claim(argument.name.as_deref(), format!("a parameter of `{owner}`"))?;
+        scope.claim(argument.name.as_deref(), Item::Parameter(owner))?;
     }
     Ok(())
+}
+
+/// What has a name.
+#[derive(Clone, Copy)]
+enum Item<'a> {
+    Structure,
+    /// Of this structure.
+    Member(&'a str),
+    Constant,
+    Global,
+    Function,
+    /// Of this function.
+    Parameter(&'a str),
+    Entry,
+}
+
+impl fmt::Display for Item<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Structure => f.write_str("a structure"),
+            Self::Member(owner) => write!(f, "a member of `{owner}`"),
+            Self::Constant => f.write_str("a constant"),
+            Self::Global => f.write_str("a global variable"),
+            Self::Function => f.write_str("a function"),
+            Self::Parameter(owner) => write!(f, "a parameter of `{owner}`"),
+            Self::Entry => f.write_str("an entry point"),
+        }
+    }
 }
 
 type Check = fn(&str) -> Result<(), NameError>;
 
 #[derive(Default)]
 struct Scope<'a> {
-    taken: HashMap<&'a str, String>,
+    taken: FastHashMap<&'a str, Item<'a>>,
     check: Option<Check>,
 }
 
 impl<'a> Scope<'a> {
     /// Enters an item under its name.
-    fn claim(&mut self, name: Option<&'a str>, item: String) -> Result<&'a str, ClashError> {
-        let Some(name) = name else { return Err(ClashError::Unnamed { item }) };
+    fn claim(&mut self, name: Option<&'a str>, item: Item<'a>) -> Result<&'a str, ClashError> {
+        let Some(name) = name else { return Err(ClashError::Unnamed { item: item.to_string() }) };
         let check = self.check.unwrap_or(names::check);
-        check(name).map_err(|reason| ClashError::Refused { item: item.clone(), reason })?;
-        match self.taken.insert(name, item.clone()) {
-            Some(first) => Err(ClashError::Twice { name: name.to_owned(), first, second: item }),
+        check(name).map_err(|reason| ClashError::Refused { item: item.to_string(), reason })?;
+        match self.taken.insert(name, item) {
+            Some(first) => {
+                let (first, second) = (first.to_string(), item.to_string());
+                Err(ClashError::Twice { name: name.to_owned(), first, second })
+            }
             None => Ok(name),
         }
     }

@@ -72,8 +72,8 @@ pub(super) const HLSL_FUNCTIONS: &str = "\
     texCUBElod texCUBEproj transpose trunc unpack_s8s16 unpack_s8s32 unpack_u8u16 unpack_u8u32";
 
 /// Words that HLSL reserves in every spelling of upper and lower case.
-pub(super) const HLSL_ANY_CASE: &str = "\
-    Texture1D Texture2D Texture3D TextureCube asm decl pass technique";
+pub(super) const HLSL_ANY_CASE: [&str; 8] =
+    ["Texture1D", "Texture2D", "Texture3D", "TextureCube", "asm", "decl", "pass", "technique"];
 
 /// Keywords and reserved words of GLSL.
 pub(super) const GLSL_KEYWORDS: &str = "\
