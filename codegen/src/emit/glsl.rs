@@ -8,7 +8,8 @@
 mod remainder;
 
 use super::slots::{Kind, Slot, slots};
-use super::{EmitError, Options, Target, guarded, mark, scan, tidy};
+use super::tidy::{self, Text};
+use super::{EmitError, Options, Target, guarded, mark, scan};
 use crate::{ValidModule, validate};
 use naga::back::glsl::{self, Version, WriterFlags};
 use naga::proc::BoundsCheckPolicies;
@@ -39,7 +40,8 @@ pub(super) fn write(module: &ValidModule, target: Target, options: &Options) -> 
     let raw = translate(&marked.module, whole.info(), target, &entry, flags, policies)?;
     let raw = if is_library { library(&raw) } else { raw };
     let raw = with_marks(&raw, &marked.module);
-    tidy::finish((module.module(), &module.meta().definitions), &marked.marks, &raw, target, options)
+    let original = (module.module(), &module.meta().definitions);
+    tidy::finish(original, &marked.marks, Text::new(&raw), target, options)
 }
 
 /// The module as naga writes it.

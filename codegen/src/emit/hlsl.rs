@@ -8,7 +8,8 @@
 
 mod structured;
 
-use super::{EmitError, Options, Target, guarded, mark, tidy};
+use super::tidy::{self, Text};
+use super::{EmitError, Options, Target, guarded, mark};
 use crate::ValidModule;
 use naga::back::hlsl;
 use naga::valid::ModuleInfo;
@@ -27,7 +28,7 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
         raw = structured.declare(&raw, &marked.marks);
     }
     let original = (original, &module.meta().definitions);
-    tidy::finish(original, &marked.marks, &without_const(&raw), Target::Hlsl, options)
+    tidy::finish(original, &marked.marks, Text::new(&without_const(&raw)), Target::Hlsl, options)
 }
 
 /// The text with variables that are declared alike: naga makes those constant that hold the result of a call.

@@ -37,6 +37,7 @@ mod slots;
 mod spirv;
 mod tidy;
 mod wgsl;
+mod words;
 mod wrap;
 
 pub use calls::check_calls;

@@ -4,7 +4,8 @@
 //! Buffers, textures and samplers have the numbers of their bindings; there are no groups ([`super::slots`]).
 
 use super::slots::{Kind, Slot, slots};
-use super::{EmitError, Options, Target, guarded, mark, tidy};
+use super::tidy::{self, Text};
+use super::{EmitError, Options, Target, guarded, mark};
 use crate::ValidModule;
 use naga::Module;
 use naga::back::msl::{self, BindSamplerTarget, BindTarget, EntryPointResources};
@@ -22,13 +23,8 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
         writer.write(&marked.module, module.info(), &settings, &msl::PipelineOptions::default())?;
         Ok::<_, msl::Error>(writer.finish())
     })?;
-    tidy::finish(
-        (module.module(), &module.meta().definitions),
-        &marked.marks,
-        &lay_out(&raw),
-        Target::Msl,
-        options,
-    )
+    let original = (module.module(), &module.meta().definitions);
+    tidy::finish(original, &marked.marks, Text::new(&lay_out(&raw)), Target::Msl, options)
 }
 
 /// The text without its remark on the version and without structures that have no members, the parameters of each

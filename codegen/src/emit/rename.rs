@@ -1,9 +1,10 @@
 //! A writer's text with the declared names in it.
 
 use super::clash::ClashError;
-use super::mark::{LENGTH, Mark, Marks, PREFIX, Role};
+use super::mark::{Marks, PREFIX, Role};
 use super::scan::{Piece, PieceKind};
 use super::scope::{self, Taken};
+use super::words::{Word, Words};
 use super::{Target, docs};
 use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
 use naga::{Function, Module};
@@ -12,9 +13,13 @@ use std::borrow::Cow;
 /// Renames the items of one text.
 pub(super) struct Renamer<'a> {
     module: &'a Module,
-    marks: &'a Marks,
+    words: &'a Words<'a>,
     target: Target,
-    taken: Taken,
+    taken: Taken<'a>,
+    /// The name of each word that names a local of the item at hand.
+    locals: Vec<Option<Cow<'a, str>>>,
+    /// Whether a word was seen in the item at hand.
+    seen: Vec<bool>,
 }
 
 /// An item as it is printed.
@@ -26,63 +31,99 @@ pub(super) struct Item {
 }
 
 impl<'a> Renamer<'a> {
-    /// Looks through the whole text for names that locals must not take.
+    /// Looks through all words of the text for names that locals must not take.
     pub(super) fn new(
         module: &'a Module,
         marks: &'a Marks,
         target: Target,
-        pieces: &[Piece<'_>],
+        words: &'a Words<'a>,
     ) -> Result<Self, ClashError> {
-        let declared: HashSet<&str> =
-            marks.iter().filter(|m| m.role.is_module_wide()).map(|m| m.exact.as_str()).collect();
-        let mut taken: Taken = declared.iter().map(|&name| name.to_owned()).collect();
-        let words: HashSet<&str> =
-            pieces.iter().filter(|p| p.kind == PieceKind::Word).map(|p| p.text).collect();
-        for word in words.into_iter().filter(|word| marks.at(word).is_none() && scope::helper(word).is_none())
-        {
-            let name = spelled(word, marks);
-            if word.contains(PREFIX) && declared.contains(name.as_ref()) {
-                return Err(ClashError::Helper { name: name.into_owned(), target });
+        let module_wide = marks.iter().filter(|m| m.role.is_module_wide());
+        let declared: HashSet<&str> = module_wide.map(|m| m.exact.as_str()).collect();
+        let mut taken: Taken<'a> = declared.iter().map(|&name| Cow::Borrowed(name)).collect();
+        let is_others = |w: &&Word<'_>| w.mark.is_none() && scope::helper(w.text).is_none();
+        for word in words.iter().filter(|word| word.is_free).filter(is_others) {
+            if declared.contains(word.spelled.as_ref()) && word.text.contains(PREFIX) {
+                return Err(ClashError::Helper { name: word.spelled.clone().into_owned(), target });
             }
-            taken.insert(name.into_owned());
+            taken.insert(word.spelled.clone());
         }
-        Ok(Self { module, marks, target, taken })
+        let (locals, seen) = (vec![None; words.len()], vec![false; words.len()]);
+        Ok(Self { module, words, target, taken, locals, seen })
     }
 
-    /// Renames an item; with `with_docs`, its members get their doc comments.
-    pub(super) fn item(&self, pieces: &[Piece<'_>], with_docs: bool) -> Result<Item, ClashError> {
-        let defines = self.defines(pieces);
-        let locals = scope::locals(pieces, self.marks, self.body(defines), &self.taken);
-        self.check_hidden(pieces, &locals)?;
+    /// Renames an item, which defines this; with `with_docs`, its members get their doc comments.
+    pub(super) fn item(
+        &mut self,
+        pieces: &[Piece<'_>],
+        defines: Option<Role>,
+        with_docs: bool,
+    ) -> Result<Item, ClashError> {
+        let distinct = self.distinct(pieces);
+        for (word, name) in scope::locals(&distinct, self.words, self.body(defines), &self.taken) {
+            self.locals[word as usize] = Some(name);
+        }
+        self.check_hidden(pieces, &distinct)?;
+        let text = match defines {
+            Some(Role::Struct(_)) if with_docs => self.with_docs(pieces),
+            _ => self.text(pieces),
+        };
+        distinct.iter().for_each(|&word| self.locals[word as usize] = None);
+        Ok(Item { text, defines })
+    }
+
+    /// The words that name something in an item, in order of appearance.
+    fn distinct(&mut self, pieces: &[Piece<'_>]) -> Vec<u32> {
+        let mut distinct = Vec::new();
+        for piece in pieces.iter().filter(|piece| piece.kind == PieceKind::Word) {
+            if !std::mem::replace(&mut self.seen[piece.word as usize], true) {
+                distinct.push(piece.word);
+            }
+        }
+        distinct.iter().for_each(|&word| self.seen[word as usize] = false);
+        distinct
+    }
+
+    fn text(&self, pieces: &[Piece<'_>]) -> String {
+        let length: usize = pieces.iter().map(|piece| piece.text.len()).sum();
+        let mut text = String::with_capacity(length);
+        pieces.iter().for_each(|piece| text.push_str(self.name(piece)));
+        text
+    }
+
+    /// What is written for a piece.
+    fn name<'p>(&'p self, piece: &Piece<'p>) -> &'p str {
+        let word = piece.word as usize;
+        match piece.kind {
+            PieceKind::Word => self.locals[word].as_deref().unwrap_or(&self.words.at(piece.word).spelled),
+            PieceKind::Selector => &self.words.at(piece.word).spelled,
+            PieceKind::Opaque | PieceKind::Space | PieceKind::Mark => piece.text,
+        }
+    }
+
+    /// The text of a structure, with the doc comments of its members.
+    fn with_docs(&self, pieces: &[Piece<'_>]) -> String {
         let mut text = String::new();
         let mut documented = HashSet::default();
         for piece in pieces {
-            if with_docs
-                && let Some(Role::Struct(_)) = defines
-                && let Some(Mark { role: Role::Member(ty, i), .. }) = self.marks.at(piece.text)
-                && documented.insert(*i)
+            if let Some(Role::Member(ty, i)) = self.words.of(piece).and_then(|word| word.role())
+                && documented.insert(i)
             {
                 let line = text.rfind('\n').map_or(0, |i| i + 1);
-                text.insert_str(line, &docs::member(self.module, *ty, *i));
+                text.insert_str(line, &docs::member(self.module, ty, i));
             }
-            match piece.kind {
-                PieceKind::Word => match locals.get(piece.text) {
-                    Some(name) => text.push_str(name),
-                    None => text.push_str(&spelled(piece.text, self.marks)),
-                },
-                PieceKind::Selector => text.push_str(&spelled(piece.text, self.marks)),
-                PieceKind::Opaque | PieceKind::Space | PieceKind::Mark => text.push_str(piece.text),
-            }
+            text.push_str(self.name(piece));
         }
-        Ok(Item { text, defines })
+        text
     }
 
     /// What an item defines: the first of the user's module-wide names that is not inside braces and,
     /// for a function, not just the type that it returns.
-    fn defines(&self, pieces: &[Piece<'_>]) -> Option<Role> {
+    pub(super) fn defines(&self, pieces: &[Piece<'_>]) -> Option<Role> {
         let outer = pieces.iter().take_while(|p| !(p.kind == PieceKind::Mark && matches!(p.text, "{" | "=")));
-        let marked = outer.filter(|p| p.kind == PieceKind::Word && p.text.len() == LENGTH);
-        let roles: Vec<Role> = marked.filter_map(|p| self.marks.at(p.text)).map(|m| m.role).collect();
+        let words = outer.filter(|p| p.kind == PieceKind::Word).map(|p| self.words.at(p.word));
+        let roles: Vec<Role> =
+            words.filter(|word| word.is_whole_mark()).filter_map(|word| word.role()).collect();
         let of_kind = |wanted: fn(&Role) -> bool| roles.iter().copied().find(wanted);
         let is_struct = pieces.iter().find(|p| p.kind == PieceKind::Word).is_some_and(|p| p.text == "struct");
         of_kind(|r| matches!(r, Role::Function(_) | Role::Entry(_)))
@@ -90,13 +131,9 @@ impl<'a> Renamer<'a> {
             .or_else(|| of_kind(|r| matches!(r, Role::Struct(_))).filter(|_| is_struct))
     }
 
-    /// The function that an item defines, with its module.
-    pub(super) fn function(&self, pieces: &[Piece<'_>]) -> Option<(&'a Module, &'a Function)> {
-        self.body(self.defines(pieces))
-    }
-
-    fn body(&self, role: Option<Role>) -> Option<(&'a Module, &'a Function)> {
-        match role? {
+    /// The function that is defined, if one is.
+    pub(super) fn body(&self, defined: Option<Role>) -> Option<(&'a Module, &'a Function)> {
+        match defined? {
             Role::Function(handle) => Some((self.module, &self.module.functions[handle])),
             Role::Entry(index) => Some((self.module, &self.module.entry_points[index].function)),
             Role::Struct(_)
@@ -109,51 +146,25 @@ impl<'a> Renamer<'a> {
     }
 
     /// Refuses an item in which one name means two things.
-    fn check_hidden(&self, pieces: &[Piece<'_>], locals: &HashMap<&str, String>) -> Result<(), ClashError> {
-        let mut meanings: HashMap<Cow<'_, str>, &str> = HashMap::default();
-        let mut seen = HashSet::default();
-        let is_fixed = |p: &Piece<'_>| p.kind == PieceKind::Word && !locals.contains_key(p.text);
-        for piece in pieces.iter().filter(|p| is_fixed(p)) {
-            if !seen.insert(piece.text) {
-                continue;
+    fn check_hidden(&self, pieces: &[Piece<'_>], distinct: &[u32]) -> Result<(), ClashError> {
+        let mut meanings: HashMap<&str, u32> = HashMap::default();
+        for &number in distinct.iter().filter(|&&number| self.is_fixed(number)) {
+            let name = self.words.at(number).spelled.as_ref();
+            if meanings.insert(name, number).is_some() {
+                let is_function = |role: &Role| matches!(role, Role::Function(_) | Role::Entry(_));
+                let mut words = pieces.iter().filter_map(|piece| self.words.of(piece));
+                let owner = words.find(|word| word.role().as_ref().is_some_and(is_function));
+                let item = owner.and_then(|word| word.mark).map_or(name, |mark| &mark.exact).to_owned();
+                return Err(ClashError::Hidden { item, name: name.to_owned(), target: self.target });
             }
-            let mark = self.marks.at(piece.text).filter(|_| piece.text.len() == LENGTH);
-            if mark.is_some_and(|m| matches!(m.role, Role::Member(..))) {
-                continue;
-            }
-            let name = spelled(piece.text, self.marks);
-            if meanings.get(&name).is_some_and(|&other| other != piece.text) {
-                let is_function = |m: &&Mark| matches!(m.role, Role::Function(_) | Role::Entry(_));
-                let owner = pieces.iter().filter_map(|p| self.marks.at(p.text)).find(is_function);
-                let item = owner.map_or_else(|| name.clone().into_owned(), |m| m.exact.clone());
-                return Err(ClashError::Hidden { item, name: name.into_owned(), target: self.target });
-            }
-            meanings.insert(name, piece.text);
         }
         Ok(())
     }
-}
 
-/// A word with the declared names in place of the marks inside it.
-fn spelled<'w>(word: &'w str, marks: &'w Marks) -> Cow<'w, str> {
-    let Some(first) = mark_in(word) else { return Cow::Borrowed(word) };
-    match marks.at(word) {
-        Some(mark) if word.len() == LENGTH => return Cow::Borrowed(&mark.exact),
-        _ => {}
+    /// Whether a word keeps a name in the item at hand that another word has too.
+    fn is_fixed(&self, number: u32) -> bool {
+        let word = self.words.at(number);
+        let is_member = || word.is_whole_mark() && matches!(word.role(), Some(Role::Member(..)));
+        word.is_shared && self.locals[number as usize].is_none() && !is_member()
     }
-    let (mut out, mut rest, mut next) = (String::new(), word, Some(first));
-    while let Some(at) = next {
-        out.push_str(&rest[..at]);
-        let known = marks.at(&rest[at..]);
-        out.push_str(known.map_or(PREFIX, |mark| &mark.exact));
-        rest = &rest[at + if known.is_some() { LENGTH } else { PREFIX.len() }..];
-        next = mark_in(rest);
-    }
-    out.push_str(rest);
-    Cow::Owned(out)
-}
-
-/// Where what may be a mark begins.
-fn mark_in(word: &str) -> Option<usize> {
-    word.as_bytes().windows(PREFIX.len()).position(|bytes| bytes == PREFIX.as_bytes())
 }

@@ -7,6 +7,20 @@ pub(crate) struct Piece<'a> {
     pub(crate) text: &'a str,
     /// What they are.
     pub(crate) kind: PieceKind,
+    /// Of a word, its number among the [words](super::words) of the text, once they are numbered.
+    pub(crate) word: u32,
+}
+
+impl<'a> Piece<'a> {
+    /// A piece; its word has no number yet.
+    pub(crate) fn new(text: &'a str, kind: PieceKind) -> Self {
+        Self { text, kind, word: 0 }
+    }
+
+    /// Whether it is a word, be it behind a dot.
+    pub(crate) fn is_word(&self) -> bool {
+        matches!(self.kind, PieceKind::Word | PieceKind::Selector)
+    }
 }
 
 /// What a piece is.
@@ -39,7 +53,7 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
         if kind != PieceKind::Space {
             behind_dot = piece == ".";
         }
-        out.push(Piece { text: piece, kind });
+        out.push(Piece::new(piece, kind));
         rest = after;
     }
     hide_attributes(&mut out);
@@ -150,7 +164,7 @@ mod tests {
         assert_eq!(all.iter().map(|p| p.text).collect::<String>(), text);
         let words: Vec<&str> = all.iter().filter(|p| p.kind == PieceKind::Word).map(|p| p.text).collect();
         assert_eq!(words, ["let", "a", "x2", "_"]);
-        assert!(all.contains(&Piece { text: "b", kind: PieceKind::Selector }));
+        assert!(all.contains(&Piece::new("b", PieceKind::Selector)));
     }
 
     #[test]

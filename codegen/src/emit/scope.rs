@@ -1,81 +1,95 @@
 //! Names of what lives within a function: the declared one when it is free, else one made from it.
 
-use super::mark::{LENGTH, Marks, Role};
-use super::scan::{Piece, PieceKind};
+use super::mark::{LENGTH, Role};
+use super::words::{Word, Words};
 use crate::names;
+use naga::FastHashSet as HashSet;
 use naga::{Expression, Function, Handle, Module, TypeInner};
-use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
+use std::borrow::Cow;
 
 /// Names that no local may have: those seen in the whole module, and whatever else the text says.
-pub(super) type Taken = HashSet<String>;
+pub(super) type Taken<'a> = HashSet<Cow<'a, str>>;
 
 /// Gives each local of an item its name, in two rounds: first come the declared names, in order of
 /// appearance, so that a made name never takes one of them.
+///
+/// `item` are its words, by number.
 pub(super) fn locals<'a>(
-    item: &[Piece<'a>],
-    marks: &Marks,
-    body: Option<(&Module, &Function)>,
-    taken: &Taken,
-) -> HashMap<&'a str, String> {
-    let mut wanted: Vec<(&'a str, Wish)> = Vec::new();
-    let mut seen = HashSet::default();
-    let mut used = HashSet::default();
-    for piece in item.iter().filter(|p| p.kind == PieceKind::Word && seen.insert(p.text)) {
-        if let Some(name) = wish(piece.text, marks, body) {
-            wanted.push((piece.text, name));
-        } else if let Some(mark) = marks.at(piece.text) {
-            used.insert(mark.exact.clone());
+    item: &[u32],
+    words: &'a Words<'a>,
+    body: Option<(&'a Module, &'a Function)>,
+    taken: &Taken<'a>,
+) -> Vec<(u32, Cow<'a, str>)> {
+    let mut wanted = Vec::new();
+    let mut used: HashSet<Cow<'a, str>> = HashSet::default();
+    for &number in item {
+        let word = words.at(number);
+        if let Some(wish) = wish(word, body) {
+            wanted.push((number, wish));
+        } else if let Some(mark) = word.mark {
+            used.insert(Cow::Borrowed(&mark.exact));
         }
     }
-    let mut out = HashMap::default();
-    let is_free = |name: &str, used: &HashSet<String>| {
-        !used.contains(name) && !taken.contains(name) && names::check(name).is_ok()
-    };
+    let mut out = Vec::with_capacity(wanted.len());
     let mut late = Vec::new();
-    for (word, name) in wanted {
-        if name.is_declared && is_free(&name.text, &used) {
-            used.insert(name.text.clone());
-            out.insert(word, name.text);
+    for (word, Wish { text, is_declared }) in wanted {
+        if is_declared && is_free(&text, &used, taken) {
+            used.insert(text.clone());
+            out.push((word, text));
         } else {
-            late.push((word, name.text));
+            late.push((word, text));
         }
     }
     for (word, name) in late {
-        let made = std::iter::once(name.clone()).chain((1u32..).map(|i| format!("{name}_{i}")));
-        if let Some(free) = made.into_iter().find(|n| is_free(n, &used)) {
-            used.insert(free.clone());
-            out.insert(word, free);
-        }
+        let name = numbered(name, &used, taken);
+        used.insert(name.clone());
+        out.push((word, name));
     }
     out
 }
 
+fn is_free(name: &str, used: &HashSet<Cow<'_, str>>, taken: &Taken<'_>) -> bool {
+    !used.contains(name) && !taken.contains(name) && names::check(name).is_ok()
+}
+
+/// The name if it is free, else with the first number that makes it so.
+fn numbered<'a>(name: Cow<'a, str>, used: &HashSet<Cow<'_, str>>, taken: &Taken<'_>) -> Cow<'a, str> {
+    if is_free(&name, used, taken) {
+        return name;
+    }
+    let mut made = (1u32..).map(|number| format!("{name}_{number}"));
+    made.find(|made| is_free(made, used, taken)).map_or(name, Cow::Owned)
+}
+
 /// The name that a local would like to have.
-struct Wish {
-    text: String,
+struct Wish<'a> {
+    text: Cow<'a, str>,
     /// Somebody declared it; names that nobody did come after those.
     is_declared: bool,
 }
 
-impl Wish {
-    fn made(text: &str) -> Self {
-        Self { text: text.to_owned(), is_declared: false }
+impl<'a> Wish<'a> {
+    fn made(text: &'a str) -> Self {
+        Self { text: Cow::Borrowed(text), is_declared: false }
     }
 
     /// A declared name, less what no made name may have in it.
-    fn declared(text: &str) -> Self {
-        let name = text.trim_matches('_');
-        let text = if name.is_empty() { "value".to_owned() } else { name.replace("__", "_") };
+    fn declared(text: &'a str) -> Self {
+        let text = match text.trim_matches('_') {
+            "" => Cow::Borrowed("value"),
+            name if name.contains("__") => Cow::Owned(name.replace("__", "_")),
+            name => Cow::Borrowed(name),
+        };
         Self { text, is_declared: true }
     }
 }
 
 /// The wish of a word, if it names a local.
-fn wish(word: &str, marks: &Marks, body: Option<(&Module, &Function)>) -> Option<Wish> {
-    if let Some(mark) = marks.at(word) {
-        let is_whole = word.len() == LENGTH;
+fn wish<'a>(word: &'a Word<'a>, body: Option<(&'a Module, &'a Function)>) -> Option<Wish<'a>> {
+    if let Some(mark) = word.mark {
+        let is_whole = word.is_whole_mark();
         // A name that is written twice has a number behind its mark.
-        if !is_whole && !is_number(word[LENGTH..].strip_prefix('_')?) {
+        if !is_whole && !is_number(word.text[LENGTH..].strip_prefix('_')?) {
             return None;
         }
         return match mark.role {
@@ -86,15 +100,15 @@ fn wish(word: &str, marks: &Marks, body: Option<(&Module, &Function)>) -> Option
         };
     }
     let (module, function) = body?;
-    if let Some(index) = word.strip_prefix("_e").filter(|rest| is_number(rest)) {
+    if let Some(index) = word.text.strip_prefix("_e").filter(|rest| is_number(rest)) {
         let (handle, _) = function.expressions.iter().nth(index.parse().ok()?)?;
         // Results of calls are written so even when they have a name.
         return Some(match function.named_expressions.get(&handle) {
             Some(name) => Wish::declared(name),
-            None => Wish::made(&hint(module, function, handle)),
+            None => Wish::made(hint(module, function, handle)),
         });
     }
-    helper(word).map(Wish::made)
+    helper(word.text).map(Wish::made)
 }
 
 /// A name that the HLSL writer gives to a variable of its own, without the number behind it.
@@ -110,21 +124,21 @@ fn is_number(text: &str) -> bool {
 }
 
 /// A name for a value that has none: after what it was read from, or what computed it.
-fn hint(module: &Module, function: &Function, value: Handle<Expression>) -> String {
+fn hint<'a>(module: &'a Module, function: &'a Function, value: Handle<Expression>) -> &'a str {
     let name = match function.expressions[value] {
         Expression::Load { pointer } => place(module, function, pointer),
-        Expression::CallResult(callee) => module.functions[callee].name.clone(),
+        Expression::CallResult(callee) => module.functions[callee].name.as_deref(),
         _ => None,
     };
-    name.unwrap_or_else(|| "value".to_owned())
+    name.unwrap_or("value")
 }
 
 /// The name of what a pointer points at.
-fn place(module: &Module, function: &Function, pointer: Handle<Expression>) -> Option<String> {
+fn place<'a>(module: &'a Module, function: &'a Function, pointer: Handle<Expression>) -> Option<&'a str> {
     match function.expressions[pointer] {
-        Expression::LocalVariable(local) => function.local_variables[local].name.clone(),
-        Expression::GlobalVariable(global) => module.global_variables[global].name.clone(),
-        Expression::FunctionArgument(i) => function.arguments.get(i as usize)?.name.clone(),
+        Expression::LocalVariable(local) => function.local_variables[local].name.as_deref(),
+        Expression::GlobalVariable(global) => module.global_variables[global].name.as_deref(),
+        Expression::FunctionArgument(i) => function.arguments.get(i as usize)?.name.as_deref(),
         Expression::Access { base, .. } => place(module, function, base),
         Expression::AccessIndex { base, index } => {
             member(module, function, base, index).or_else(|| place(module, function, base))
@@ -134,14 +148,19 @@ fn place(module: &Module, function: &Function, pointer: Handle<Expression>) -> O
 }
 
 /// The name of a member of the structure behind `base`.
-fn member(module: &Module, function: &Function, base: Handle<Expression>, index: u32) -> Option<String> {
+fn member<'a>(
+    module: &'a Module,
+    function: &Function,
+    base: Handle<Expression>,
+    index: u32,
+) -> Option<&'a str> {
     let ty = match function.expressions[base] {
         Expression::LocalVariable(local) => function.local_variables[local].ty,
         Expression::GlobalVariable(global) => module.global_variables[global].ty,
         _ => return None,
     };
     match &module.types[ty].inner {
-        TypeInner::Struct { members, .. } => members.get(index as usize)?.name.clone(),
+        TypeInner::Struct { members, .. } => members.get(index as usize)?.name.as_deref(),
         _ => None,
     }
 }

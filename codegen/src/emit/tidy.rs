@@ -1,33 +1,53 @@
 //! The finished text: header, items with their docs, one blank line between them.
 
 use super::mark::{Marks, Role};
+use super::readable::Author;
 use super::rename::{Item, Renamer};
+use super::scan::{self, Piece};
+use super::words::Words;
 use super::wrap::wrap;
-use super::{EmitError, Options, Target, docs, groups, readable, scan};
+use super::{EmitError, Options, Target, docs, groups};
 use crate::module::Definitions;
 use naga::FastHashSet as HashSet;
 use naga::{Function, Module, Statement};
 
+/// A writer's text, in pieces.
+pub(super) struct Text<'a> {
+    /// The line that some languages want to be the first of all.
+    version: &'a str,
+    /// The rest.
+    pub(super) pieces: Vec<Piece<'a>>,
+}
+
+impl<'a> Text<'a> {
+    /// Cuts a text.
+    pub(super) fn new(raw: &'a str) -> Self {
+        let end = raw.find('\n').filter(|_| raw.starts_with("#version ")).map_or(0, |i| i + 1);
+        let (version, rest) = raw.split_at(end);
+        Self { version, pieces: scan::pieces(rest) }
+    }
+}
+
 /// Makes a writer's text, full of marks, into the one that a user gets; `definitions` are those of `module`'s functions.
-pub(super) fn finish(
-    (module, definitions): (&Module, &Definitions),
-    marks: &Marks,
-    raw: &str,
+pub(super) fn finish<'a>(
+    (module, definitions): (&'a Module, &Definitions),
+    marks: &'a Marks,
+    mut text: Text<'a>,
     target: Target,
     options: &Options,
 ) -> Result<String, EmitError> {
-    let (version, raw) = version(raw);
-    let pieces = scan::pieces(raw);
-    let renamer = Renamer::new(module, marks, target, &pieces)?;
-    let mut out = version.to_owned();
+    let words = Words::number(&mut text.pieces, marks);
+    let author = Author::new(module, &words);
+    let mut renamer = Renamer::new(module, marks, target, &words)?;
+    let mut out = text.version.to_owned();
     if options.header {
         out.push_str(&header(module, target, options));
     }
     let mut former_is_line = false;
-    for pieces in scan::items(&pieces) {
-        let text = renamer.function(pieces).map(|body| readable::text(pieces, body, marks));
-        let shown = text.as_deref().map(readable::pieces);
-        let item = renamer.item(shown.as_deref().unwrap_or(pieces), options.docs)?;
+    for pieces in scan::items(&text.pieces) {
+        let defines = renamer.defines(pieces);
+        let written = renamer.body(defines).map(|(_, function)| author.written(pieces, function));
+        let item = renamer.item(written.as_deref().unwrap_or(pieces), defines, options.docs)?;
         let item = with_groups(item, definitions, options.docs);
         let (text, is_line) = lay_out(module, &item, options.docs);
         let is_together = former_is_line && is_line;
@@ -38,12 +58,6 @@ pub(super) fn finish(
         former_is_line = is_line;
     }
     Ok(out)
-}
-
-/// The line that some languages want to be the first of all, and the rest.
-fn version(raw: &str) -> (&str, &str) {
-    let end = raw.find('\n').map_or(0, |i| i + 1);
-    if raw.starts_with("#version ") { raw.split_at(end) } else { ("", raw) }
 }
 
 /// The item with the groups of the definition that it comes from.

@@ -1,6 +1,7 @@
 //! WGSL.
 
-use super::{EmitError, Options, Target, guarded, mark, tidy};
+use super::tidy::{self, Text};
+use super::{EmitError, Options, Target, guarded, mark};
 use crate::ValidModule;
 use naga::back::wgsl::{WriterFlags, write_string};
 
@@ -8,5 +9,6 @@ use naga::back::wgsl::{WriterFlags, write_string};
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     let marked = mark::mark(module.module());
     let raw = guarded(Target::Wgsl, || write_string(&marked.module, module.info(), WriterFlags::empty()))?;
-    tidy::finish((module.module(), &module.meta().definitions), &marked.marks, &raw, Target::Wgsl, options)
+    let original = (module.module(), &module.meta().definitions);
+    tidy::finish(original, &marked.marks, Text::new(&raw), Target::Wgsl, options)
 }

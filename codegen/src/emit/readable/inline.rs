@@ -5,129 +5,176 @@
 //! One is moved only past declarations, and only if it is a load of a local variable or a call of a function that
 //! reads and writes nothing but its values: so nothing that it depends on can change on the way.
 
-use crate::emit::mark::{self, Marks, Role};
-use crate::emit::scan::{self, PieceKind};
+use super::lines::{Line, lines};
+use crate::emit::mark::Role;
+use crate::emit::scan::{Piece, PieceKind};
 use crate::emit::tidy::collect_calls;
+use crate::emit::words::Words;
+use naga::FastHashSet as HashSet;
 use naga::{Expression, Function, Handle, Module, TypeInner};
-use naga::{FastHashMap as HashMap, FastHashSet as HashSet};
-use std::borrow::Cow;
+use std::ops::Range;
 
-/// The text of `function` with its temporaries in their places.
-pub(super) fn inline(text: &str, module: &Module, function: &Function, marks: &Marks) -> String {
-    let movable = movable(module, function);
-    let mut lines: Vec<Cow<'_, str>> = text.lines().map(Cow::Borrowed).collect();
-    let mut uses = uses(&lines);
-    for i in 0..lines.len() {
-        let Some((name, value, at)) = target(&lines, i, &uses, &movable, (module, marks)) else { continue };
-        let (written, moved) = (with_value(&lines[at], name, value), temporaries(value).map(str::to_owned));
-        // What the value uses is used there from now on.
-        for temporary in moved.collect::<Vec<_>>() {
-            uses.entry(temporary).and_modify(|(_, line)| *line = at);
+/// The pieces of `function` with its temporaries in their places; `pure` are the [functions of values](of_values).
+pub(super) fn inline<'a>(
+    pieces: &[Piece<'a>],
+    function: &Function,
+    words: &Words<'a>,
+    pure: &[bool],
+) -> Vec<Piece<'a>> {
+    let movable = movable(function, pure);
+    let mut lines = lines(pieces);
+    for line in &mut lines {
+        line.is_pure = line.declares.is_some_and(|it| {
+            let mut value = pieces[it.value..line.pieces.end].iter();
+            value.all(|piece| is_harmless(piece, words, pure))
+        });
+    }
+    let uses = uses(pieces, &lines, &movable);
+    let mut text = Text { pieces, words, movable, lines, uses, moved: vec![0; pieces.len()] };
+    for i in 0..text.lines.len() {
+        if let Some(to) = text.target(i) {
+            text.put(i, to);
         }
-        lines[at] = Cow::Owned(written);
-        lines[i] = Cow::Borrowed(GONE);
     }
-    let mut kept = lines.iter().filter(|line| line.as_ref() != GONE);
-    let mut out = kept.next().map(|line| line.clone().into_owned()).unwrap_or_default();
-    for line in kept {
-        out.push('\n');
-        out.push_str(line);
-    }
-    out
+    text.written()
 }
 
-/// What stands for a line that was moved; no writer writes one of these.
-const GONE: &str = "\0";
+/// Where a temporary is used.
+#[derive(Debug, Clone, Copy, Default)]
+struct Use {
+    count: usize,
+    /// The last time.
+    last: Place,
+}
 
-/// How often each temporary is used, and in which line last.
-type Uses = HashMap<String, (usize, usize)>;
+/// A line, and a piece in it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Place {
+    line: usize,
+    piece: usize,
+}
 
-fn uses(lines: &[Cow<'_, str>]) -> Uses {
-    let mut uses = Uses::default();
+/// Where each temporary is used that can be moved.
+fn uses(pieces: &[Piece<'_>], lines: &[Line], movable: &[bool]) -> Vec<Use> {
+    let mut uses = vec![Use::default(); movable.len()];
     for (i, line) in lines.iter().enumerate() {
-        let declared = declaration(line).map(|(name, _)| name);
-        for name in temporaries(line) {
-            let (count, last) = uses.entry(name.to_owned()).or_insert((0, i));
-            // The line that declares it is no use of it.
-            *count += usize::from(declared != Some(name));
-            *last = i;
+        let declared = line.declares.and_then(|it| it.name);
+        for piece in line.pieces.clone() {
+            let Some(temporary) = temporary(&pieces[piece]).filter(|_| declared != Some(piece)) else {
+                continue;
+            };
+            if let Some(found) = uses.get_mut(temporary) {
+                *found = Use { count: found.count + 1, last: Place { line: i, piece } };
+            }
         }
     }
     uses
 }
 
-/// The words that writers give to temporaries, `_e7`.
-fn temporaries(text: &str) -> impl Iterator<Item = &str> {
-    let is_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
-    let bytes = text.as_bytes();
-    let begins = move |at: &usize| bytes[*at..].starts_with(b"_e") && (*at == 0 || !is_word(bytes[at - 1]));
-    (0..bytes.len()).filter(begins).map(move |at| {
-        let length = bytes[at..].iter().position(|&byte| !is_word(byte)).unwrap_or(bytes.len() - at);
-        &text[at..at + length]
-    })
+/// The number of a temporary: writers call that of the expression with this number `_e7`.
+fn temporary(piece: &Piece<'_>) -> Option<usize> {
+    let digits = piece.text.as_bytes().strip_prefix(b"_e").filter(|_| piece.kind == PieceKind::Word)?;
+    let is_number = matches!(digits, [b'0'] | [b'1'..=b'9', ..]) && digits.len() < 10;
+    let digit =
+        |number: usize, &byte: &u8| byte.is_ascii_digit().then(|| number * 10 + usize::from(byte - b'0'));
+    digits.iter().filter(|_| is_number).try_fold(0, digit).filter(|_| is_number)
 }
 
-/// What line `i` declares, its value, and the later line that it can be moved to.
-fn target<'l>(
-    lines: &'l [Cow<'_, str>],
-    i: usize,
-    uses: &Uses,
-    movable: &HashSet<String>,
-    (module, marks): (&Module, &Marks),
-) -> Option<(&'l str, &'l str, usize)> {
-    let (name, value) = declaration(&lines[i])?;
-    let at = if movable.contains(name) {
-        let &(count, at) = uses.get(name)?;
-        (count == 1).then_some(at)?
-    } else {
-        let is_returned = || lines.get(i + 1).is_some_and(|l| l.trim() == format!("return {name};"));
-        (is_result(name, marks) && is_returned()).then_some(i + 1)?
-    };
-    let may_pass = |line: &Cow<'_, str>| line.as_ref() == GONE || is_pure(line, module, marks);
-    (at > i && lines[i + 1..at].iter().all(may_pass)).then_some((name, value, at))
-}
-
-/// Whether it is the variable that naga's HLSL has for a structure that is returned: called after the structure, with
-/// a number behind it.
-fn is_result(name: &str, marks: &Marks) -> bool {
-    name.len() > mark::LENGTH && marks.at(name).is_some_and(|mark| matches!(mark.role, Role::Struct(_)))
-}
-
-/// `let NAME = VALUE;`, `float NAME = VALUE;`
-fn declaration(line: &str) -> Option<(&str, &str)> {
-    let (left, value) = line.trim().strip_suffix(';')?.split_once(" = ")?;
-    let (before, name) = left.rsplit_once(' ')?;
-    (!before.is_empty() && !left.contains(['(', '{', '['])).then_some((name, value))
-}
-
-/// Whether a line declares a value, and no call in it changes anything.
-fn is_pure(line: &str, module: &Module, marks: &Marks) -> bool {
-    let Some((_, value)) = declaration(line) else { return false };
-    scan::pieces(value).iter().all(|piece| match marks.at(piece.text).map(|mark| mark.role) {
-        Some(Role::Function(callee)) => is_function_of_values(module, callee),
+/// Whether what a piece names changes nothing.
+fn is_harmless(piece: &Piece<'_>, words: &Words<'_>, pure: &[bool]) -> bool {
+    match words.of(piece).and_then(|word| word.role()) {
+        Some(Role::Function(callee)) => pure.get(callee.index()).copied().unwrap_or_default(),
         _ => !matches!(piece.text, "{" | "}"),
-    })
+    }
 }
 
-fn with_value(line: &str, name: &str, value: &str) -> String {
-    let is_it = |p: &scan::Piece<'_>| p.kind == PieceKind::Word && p.text == name;
-    scan::pieces(line).iter().map(|p| if is_it(p) { value } else { p.text }).collect()
+/// The text of a function while values move.
+struct Text<'p, 'a> {
+    pieces: &'p [Piece<'a>],
+    words: &'p Words<'a>,
+    movable: Vec<bool>,
+    lines: Vec<Line>,
+    uses: Vec<Use>,
+    /// For each piece the line whose value stands there now, counted from 1.
+    moved: Vec<u32>,
 }
 
-/// The names of temporaries that nothing else can change.
-fn movable(module: &Module, function: &Function) -> HashSet<String> {
+impl<'a> Text<'_, 'a> {
+    /// The later place that the value of line `i` can be moved to.
+    fn target(&self, i: usize) -> Option<Place> {
+        let name = self.lines[i].declares?.name?;
+        let movable = temporary(&self.pieces[name]).filter(|&it| self.movable.get(it) == Some(&true));
+        let to = match movable {
+            Some(temporary) => Some(self.uses[temporary]).filter(|found| found.count == 1)?.last,
+            None => self.returned(i, name)?,
+        };
+        let between = self.lines.get(i + 1..to.line)?;
+        let is_behind_blank = self.lines[i + 1..=to.line].iter().any(|line| line.is_behind_blank);
+        let is_free = !is_behind_blank && between.iter().all(|line| line.is_gone || line.is_pure);
+        (to.line > i && is_free).then_some(to)
+    }
+
+    /// Where the variable is returned that naga's HLSL has for a structure: called after the structure, with a number
+    /// behind it.
+    fn returned(&self, i: usize, name: usize) -> Option<Place> {
+        let word = self.words.of(&self.pieces[name])?;
+        let is_result = matches!(word.role(), Some(Role::Struct(_))) && !word.is_whole_mark();
+        let next = self.lines.get(i + 1).filter(|_| is_result)?.pieces.clone();
+        match &self.pieces[next.clone()] {
+            [keyword, _, it, end] if (keyword.text, it.text, end.text) == ("return", word.text, ";") => {
+                Some(Place { line: i + 1, piece: next.start + 2 })
+            }
+            _ => None,
+        }
+    }
+
+    /// Moves the value of line `i`.
+    fn put(&mut self, i: usize, to: Place) {
+        self.moved[to.piece] = i as u32 + 1;
+        self.lines[to.line].is_pure &= self.lines[i].is_pure;
+        self.lines[i].is_gone = true;
+    }
+
+    fn written(&self) -> Vec<Piece<'a>> {
+        let mut out = Vec::with_capacity(self.pieces.len());
+        for line in &self.lines {
+            if let Some(blanks) = line.pieces.start.checked_sub(1).map(|before| self.pieces[before]) {
+                out.extend(if line.is_gone { line_before(blanks) } else { Some(blanks) });
+            }
+            if !line.is_gone {
+                self.write(line.pieces.clone(), &mut out);
+            }
+        }
+        out
+    }
+
+    /// Writes pieces, and in their place what has moved there.
+    fn write(&self, pieces: Range<usize>, out: &mut Vec<Piece<'a>>) {
+        for piece in pieces {
+            let line = (self.moved[piece] as usize).checked_sub(1).map(|line| &self.lines[line]);
+            match line.and_then(|line| line.value()) {
+                Some(value) => self.write(value, out),
+                None => out.push(self.pieces[piece]),
+            }
+        }
+    }
+}
+
+/// What is left of the blanks before a line that is taken out: lines without anything in them.
+fn line_before(blanks: Piece<'_>) -> Option<Piece<'_>> {
+    let end = blanks.text.rfind('\n').filter(|&end| end > 0)?;
+    Some(Piece { text: &blanks.text[..end], ..blanks })
+}
+
+/// Which temporaries nothing else can change.
+fn movable(function: &Function, pure: &[bool]) -> Vec<bool> {
     let is_free = |expression: &Expression| match expression {
-        Expression::CallResult(callee) => is_function_of_values(module, *callee),
+        Expression::CallResult(callee) => pure[callee.index()],
         Expression::Load { pointer } => is_local(function, *pointer),
         _ => false,
     };
-    let mut found = HashSet::default();
-    for (handle, expression) in function.expressions.iter() {
-        if is_free(expression) && !function.named_expressions.contains_key(&handle) {
-            found.insert(format!("_e{}", handle.index()));
-        }
-    }
-    found
+    let expressions = function.expressions.iter();
+    expressions.map(|(handle, it)| is_free(it) && !function.named_expressions.contains_key(&handle)).collect()
 }
 
 /// Whether a pointer leads to a variable of the function.
@@ -139,9 +186,17 @@ fn is_local(function: &Function, pointer: Handle<Expression>) -> bool {
     }
 }
 
-/// Whether a function reads and writes nothing but its arguments, which are values, and its result.
-fn is_function_of_values(module: &Module, function: Handle<Function>) -> bool {
-    let function = &module.functions[function];
+/// Which functions read and write nothing but their arguments, which are values, and their result.
+pub(super) fn of_values(module: &Module) -> Vec<bool> {
+    let mut pure = Vec::with_capacity(module.functions.len());
+    for (_, function) in module.functions.iter() {
+        pure.push(is_of_values(module, function, &pure));
+    }
+    pure
+}
+
+/// The same of one function; `pure` are those before it, and it calls no others.
+fn is_of_values(module: &Module, function: &Function, pure: &[bool]) -> bool {
     let is_value = |ty: Handle<naga::Type>| {
         !matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. })
     };
@@ -151,12 +206,13 @@ fn is_function_of_values(module: &Module, function: Handle<Function>) -> bool {
     function.result.is_some()
         && function.arguments.iter().all(|argument| is_value(argument.ty))
         && !function.expressions.iter().any(|(_, expression)| is_global(expression))
-        && called.into_iter().all(|callee| is_function_of_values(module, callee))
+        && called.iter().all(|callee| pure.get(callee.index()) == Some(&true))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::emit::{mark, scan};
     use crate::validate::foreign_wgsl;
 
     const SHADER: &str = "
@@ -171,7 +227,8 @@ mod tests {
         let module = foreign_wgsl(SHADER).unwrap();
         let marked = mark::mark(module.module());
         let (_, outer) = module.module().functions.iter().nth(3).unwrap();
-        let mut text = lines.to_owned();
+        // The first line is the function's head.
+        let mut text = format!("{{\n{lines}");
         for (i, name) in ["value", "change", "count"].into_iter().enumerate() {
             let mark = marked.module.functions.iter().nth(i).unwrap().1.name.clone().unwrap();
             text = text.replace(name, &mark);
@@ -182,12 +239,15 @@ mod tests {
         for name in ["FIRST", "SECOND"] {
             text = text.replace(name, &format!("_e{}", calls.next().unwrap().0.index()));
         }
-        let mut done = inline(&text, module.module(), outer, &marked.marks);
+        let mut pieces = scan::pieces(&text);
+        let words = Words::number(&mut pieces, &marked.marks);
+        let done = inline(&pieces, outer, &words, &of_values(module.module()));
+        let mut done: String = done.iter().map(|piece| piece.text).collect();
         for (i, name) in ["value", "change", "count"].into_iter().enumerate() {
             let mark = marked.module.functions.iter().nth(i).unwrap().1.name.clone().unwrap();
             done = done.replace(&mark, name);
         }
-        done
+        done.strip_prefix("{\n").unwrap().to_owned()
     }
 
     #[test]

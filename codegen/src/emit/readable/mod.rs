@@ -4,31 +4,42 @@
 //! All leave every operation, its operands and its order as they are, so a compiler reads the same.
 
 mod inline;
+mod lines;
 mod parentheses;
 
-use super::mark::Marks;
-use super::scan;
+use super::scan::Piece;
+use super::words::Words;
 use naga::{Function, Module};
 
-/// The text of an item that defines a function, `body`, without temporaries and a last `return;`.
-pub(super) fn text(
-    pieces: &[scan::Piece<'_>],
-    (module, function): (&Module, &Function),
-    marks: &Marks,
-) -> String {
-    let text: String = pieces.iter().map(|p| p.text).collect();
-    without_return(inline::inline(&text, module, function, marks))
+/// Makes the functions of one text readable.
+pub(super) struct Author<'a> {
+    words: &'a Words<'a>,
+    /// The functions that read and write nothing but values.
+    pure: Vec<bool>,
 }
 
-/// The pieces of such a text, without parentheses that change nothing.
-pub(super) fn pieces(text: &str) -> Vec<scan::Piece<'_>> {
-    parentheses::without(text)
-}
-
-/// The text without a last `return;`, which is where the function ends anyway.
-fn without_return(text: String) -> String {
-    match text.trim_end().strip_suffix("    return;\n}") {
-        Some(rest) if !rest.ends_with("    ") => format!("{rest}}}"),
-        _ => text,
+impl<'a> Author<'a> {
+    /// For functions of `module`.
+    pub(super) fn new(module: &Module, words: &'a Words<'a>) -> Self {
+        Self { words, pure: inline::of_values(module) }
     }
+
+    /// The item that defines `function`, as one would write it.
+    pub(super) fn written(&self, item: &[Piece<'a>], function: &Function) -> Vec<Piece<'a>> {
+        let mut pieces = inline::inline(item, function, self.words, &self.pure);
+        leave_out_return(&mut pieces);
+        parentheses::leave_out(&mut pieces);
+        pieces
+    }
+}
+
+/// Leaves out a last `return;`, which is where the function ends anyway.
+fn leave_out_return(pieces: &mut Vec<Piece<'_>>) {
+    let [.., blanks, keyword, semicolon, line_break, brace] = pieces.as_mut_slice() else { return };
+    let texts = (keyword.text, semicolon.text, line_break.text, brace.text);
+    let rest = blanks.text.strip_suffix("    ").filter(|rest| !rest.ends_with("    "));
+    let (("return", ";", "\n", "}"), Some(rest)) = (texts, rest) else { return };
+    blanks.text = rest;
+    *keyword = *brace;
+    pieces.truncate(pieces.len() - 3);
 }

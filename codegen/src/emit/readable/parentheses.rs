@@ -6,7 +6,7 @@
 //! Those that help are kept: around operations on bits, comparisons of comparisons and in lists (where WGSL could
 //! take `a < b, c > d` for a template), `&&` beside `||`, and a minus sign behind an operator.
 
-use crate::emit::scan::{self, Piece, PieceKind};
+use crate::emit::scan::{Piece, PieceKind};
 
 /// How tightly what stands between parentheses, or the operator beside them, binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,34 +31,77 @@ enum Level {
 /// The level of what is beside or between parentheses; `None` where they are kept.
 type Found = Option<Level>;
 
-/// The pieces of `text` without the parentheses that change nothing.
-pub(super) fn without(text: &str) -> Vec<Piece<'_>> {
-    let mut pieces = scan::pieces(text);
-    // Inner pairs come first: what is left out decides about what is around it.
-    for (open, close) in pairs(&pieces) {
-        if is_idle(&pieces, open, close) {
-            pieces[open] = GONE;
-            pieces[close] = GONE;
+/// Leaves out the parentheses that change nothing, in one pass: what is left out decides about what is around it.
+pub(super) fn leave_out(pieces: &mut [Piece<'_>]) {
+    let mut frames: Vec<Frame> = Vec::new();
+    for at in 0..pieces.len() {
+        match pieces[at].kind {
+            PieceKind::Mark => match pieces[at].text {
+                "(" | "[" | "{" => frames.push(Frame::new(pieces, at)),
+                ")" | "]" | "}" => close(pieces, &mut frames, at),
+                "," | ";" => frames.iter_mut().last().into_iter().for_each(|frame| frame.inside = None),
+                _ => {}
+            },
+            PieceKind::Space => {
+                if let Some(frame) = frames.last_mut() {
+                    frame.take_blank(&pieces[at + 1..]);
+                }
+            }
+            PieceKind::Word | PieceKind::Selector | PieceKind::Opaque => {}
         }
     }
-    pieces
 }
 
 /// What stands for a parenthesis that is left out.
-const GONE: Piece<'_> = Piece { text: "", kind: PieceKind::Space };
+const GONE: Piece<'_> = Piece { text: "", kind: PieceKind::Space, word: 0 };
 
-/// The parentheses that group: those of calls, declarations and conditions are not among them. Inner ones come first.
-fn pairs(pieces: &[Piece<'_>]) -> Vec<(usize, usize)> {
-    let mut opened = Vec::new();
-    let mut found = Vec::new();
-    for (i, piece) in pieces.iter().enumerate().filter(|(_, p)| p.kind == PieceKind::Mark) {
-        match piece.text {
-            "(" => opened.push(i),
-            ")" => found.extend(opened.pop().filter(|&open| is_group(pieces, open)).map(|open| (open, i))),
+/// A bracket that is open.
+struct Frame {
+    /// Where it opens.
+    open: usize,
+    /// Whether it is a parenthesis that groups: those of calls, declarations and conditions do not.
+    is_group: bool,
+    /// The loosest operator of what stands between the brackets so far.
+    inside: Found,
+}
+
+impl Frame {
+    fn new(pieces: &[Piece<'_>], open: usize) -> Self {
+        let is_group = pieces[open].text == "(" && is_group(pieces, open);
+        let first = pieces.get(open + 1).filter(|first| first.text != ")");
+        let inside = first.map(|first| if is_sign(first) { Level::Prefix } else { Level::Primary });
+        Self { open, is_group, inside }
+    }
+
+    /// Takes the operator in that stands between a blank and the next, if `rest` begins with one.
+    fn take_blank(&mut self, rest: &[Piece<'_>]) {
+        let is_closed =
+            |next: &Piece<'_>| next.kind == PieceKind::Mark && matches!(next.text, ")" | "]" | "}");
+        match rest.first() {
+            Some(next) if is_closed(next) => self.inside = None,
+            Some(next) if next.kind == PieceKind::Mark && !matches!(next.text, "(" | "[" | "{") => {
+                let mut behind =
+                    rest.iter().filter(|piece| piece.kind != PieceKind::Mark && !piece.text.is_empty());
+                if behind.next().is_some_and(|piece| piece.kind == PieceKind::Space) {
+                    self.inside = self.inside.and_then(|level| Some(level.min(operator(rest.iter())?)));
+                }
+            }
             _ => {}
         }
     }
-    found
+}
+
+/// Closes a bracket, and leaves the pair out if the text means the same without.
+fn close(pieces: &mut [Piece<'_>], frames: &mut Vec<Frame>, at: usize) {
+    let Some(frame) = frames.pop() else { return };
+    let (true, Some(level)) = (frame.is_group && pieces[at].text == ")", frame.inside) else { return };
+    if is_idle(pieces, frame.open, at, level) {
+        pieces[frame.open] = GONE;
+        pieces[at] = GONE;
+        if let Some(around) = frames.last_mut() {
+            around.inside = around.inside.map(|loosest| loosest.min(level));
+        }
+    }
 }
 
 /// Whether a parenthesis begins a group: it stands behind a blank or an operator, and behind no `if` or the like.
@@ -66,30 +109,34 @@ fn is_group(pieces: &[Piece<'_>], open: usize) -> bool {
     let Some(before) = open.checked_sub(1).map(|i| pieces[i]) else { return true };
     match before.kind {
         PieceKind::Mark => !matches!(before.text, ")" | "]" | ">"),
+        // A parenthesis that was left out.
+        PieceKind::Space if before.text.is_empty() => false,
         PieceKind::Space => {
-            let word = pieces[..open].iter().rev().find(|p| p.kind != PieceKind::Space);
+            let word = solid_before(pieces, open);
             !word.is_some_and(|w| matches!(w.text, "if" | "while" | "switch" | "for" | "main" | "in"))
         }
         PieceKind::Word | PieceKind::Selector | PieceKind::Opaque => false,
     }
 }
 
-/// Whether the text means the same without this pair.
-fn is_idle(pieces: &[Piece<'_>], open: usize, close: usize) -> bool {
+fn is_sign(piece: &Piece<'_>) -> bool {
+    piece.kind == PieceKind::Mark && matches!(piece.text, "-" | "+" | "!" | "~" | "&" | "*")
+}
+
+/// Whether the text means the same without this pair, between which `level` is the loosest operator.
+fn is_idle(pieces: &[Piece<'_>], open: usize, close: usize, level: Level) -> bool {
     let (Some(left), Some(right)) = (left(pieces, open), right(pieces, close)) else { return false };
-    let inside = &pieces[open + 1..close];
-    let Some(level) = inside_level(inside) else { return false };
-    let first = inside.iter().find(|piece| !piece.text.is_empty());
-    let begins_with_sign = first.is_some_and(|p| matches!(p.text, "-" | "+" | "!" | "~" | "&" | "*"));
+    let begins_with_sign =
+        || pieces[open + 1..close].iter().find(|p| !p.text.is_empty()).is_some_and(is_sign);
     let is_list = |at: Option<&Piece<'_>>| at.is_some_and(|p| p.text == ",");
-    let in_list = is_list(solid_before(pieces, open)) || is_list(solid_after(pieces, close));
+    let in_list = || is_list(solid_before(pieces, open)) || is_list(solid_after(pieces, close));
     match level {
         Level::Primary => true,
         Level::Open => false,
         _ if left == Level::Bits || right == Level::Bits => false,
-        Level::Comparison if in_list || left == Level::Comparison || right == Level::Comparison => false,
+        Level::Comparison if left == Level::Comparison || right == Level::Comparison || in_list() => false,
         Level::And | Level::Or if [left, right].iter().any(|l| is_other(level, *l)) => false,
-        _ if begins_with_sign && left != Level::Open => false,
+        _ if left != Level::Open && begins_with_sign() => false,
         // What stands on the right of its equal belongs together: `a - (b - c)`.
         _ => {
             level > left && level >= right
@@ -124,7 +171,7 @@ fn left(pieces: &[Piece<'_>], open: usize) -> Found {
         (PieceKind::Word, "return") | (PieceKind::Mark, "(" | "[" | "," | "{" | ";") => Some(Level::Open),
         (PieceKind::Mark, "=") => equals(pieces, open),
         (PieceKind::Mark, "-" | "+" | "!" | "~" | "&" | "*") if touches => Some(Level::Prefix),
-        (PieceKind::Mark, _) => operator(&pieces[..open], true),
+        (PieceKind::Mark, _) => last_operator(&pieces[..open]),
         _ => None,
     }
 }
@@ -147,32 +194,33 @@ fn right(pieces: &[Piece<'_>], close: usize) -> Found {
         (PieceKind::Mark, "." | "[") if touches => Some(Level::Primary),
         // A cast: `(int)x`.
         _ if touches => None,
-        (PieceKind::Mark, _) => operator(&pieces[close + 1..], false),
+        (PieceKind::Mark, _) => operator(pieces[close + 1..].iter()),
         _ => None,
     }
 }
 
-/// The operator between blanks that ends or begins `pieces`.
-fn operator(pieces: &[Piece<'_>], at_end: bool) -> Found {
-    let mut marks = [0; 3];
-    let mut count = 0;
-    let mut take = |piece: &Piece<'_>| {
-        let is_mark = piece.kind == PieceKind::Mark;
-        if is_mark && let (Some(place), Some(&byte)) = (marks.get_mut(count), piece.text.as_bytes().first()) {
-            (*place, count) = (byte, count + 1);
-        }
-        is_mark
-    };
-    let is_blank = |piece: &&Piece<'_>| piece.kind == PieceKind::Space;
-    match at_end {
-        true => pieces.iter().rev().skip_while(is_blank).all(&mut take),
-        false => pieces.iter().skip_while(is_blank).all(&mut take),
-    };
-    let marks = &mut marks[..count];
-    if at_end {
-        marks.reverse();
+/// The operator between blanks that `pieces` begin with.
+fn operator<'p, 'a: 'p>(pieces: impl Iterator<Item = &'p Piece<'a>>) -> Found {
+    let (marks, count) = marks(pieces);
+    level_of(&marks[..count])
+}
+
+/// The operator between blanks that ends `pieces`.
+fn last_operator(pieces: &[Piece<'_>]) -> Found {
+    let (mut marks, count) = marks(pieces.iter().rev());
+    marks[..count].reverse();
+    level_of(&marks[..count])
+}
+
+/// The first characters of the marks that come behind blanks, and their number; no operator has more than two.
+fn marks<'p, 'a: 'p>(pieces: impl Iterator<Item = &'p Piece<'a>>) -> ([u8; 3], usize) {
+    let (mut marks, mut count) = ([0; 3], 0);
+    for piece in pieces.skip_while(|piece| piece.kind == PieceKind::Space) {
+        let (PieceKind::Mark, Some(place)) = (piece.kind, marks.get_mut(count)) else { break };
+        *place = piece.text.as_bytes().first().copied().unwrap_or_default();
+        count += 1;
     }
-    level_of(marks)
+    (marks, count)
 }
 
 fn level_of(marks: &[u8]) -> Found {
@@ -188,38 +236,10 @@ fn level_of(marks: &[u8]) -> Found {
     }
 }
 
-/// The loosest operator of what stands between the parentheses.
-fn inside_level(inside: &[Piece<'_>]) -> Found {
-    let first = inside.iter().find(|piece| !piece.text.is_empty())?;
-    let sign = matches!(first.text, "-" | "+" | "!" | "~" | "&" | "*") && first.kind == PieceKind::Mark;
-    let mut loosest = if sign { Level::Prefix } else { Level::Primary };
-    let mut depth = 0usize;
-    for (i, piece) in inside.iter().enumerate() {
-        match (piece.kind, piece.text) {
-            (PieceKind::Mark, "(" | "[" | "{") => depth += 1,
-            (PieceKind::Mark, ")" | "]" | "}") => depth = depth.checked_sub(1)?,
-            (PieceKind::Mark, "," | ";") if depth == 0 => return None,
-            (PieceKind::Space, "") => {}
-            (PieceKind::Space, _) if depth == 0 => {
-                let next = inside.get(i + 1)?;
-                let is_else = |p: &&Piece<'_>| p.kind != PieceKind::Mark && !p.text.is_empty();
-                let ends_with_blank = || inside[i + 1..].iter().find(is_else);
-                let is_operator = next.kind == PieceKind::Mark
-                    && !matches!(next.text, "(" | "[" | "{")
-                    && ends_with_blank().is_some_and(|p| p.kind == PieceKind::Space);
-                if is_operator {
-                    loosest = loosest.min(operator(&inside[i..], false)?);
-                }
-            }
-            _ => {}
-        }
-    }
-    Some(loosest)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::emit::scan;
 
     #[test]
     fn what_changes_nothing_goes_and_what_helps_stays() {
@@ -259,7 +279,9 @@ mod tests {
             ("total += (a * b);", "total += a * b;"),
             ("while(true) { switch (x) { } }", "while(true) { switch (x) { } }"),
         ] {
-            let text: String = without(with).iter().map(|piece| piece.text).collect();
+            let mut pieces = scan::pieces(with);
+            leave_out(&mut pieces);
+            let text: String = pieces.iter().map(|piece| piece.text).collect();
             assert_eq!(text, expected, "{with}");
         }
     }
