@@ -15,7 +15,7 @@ use naga::back::glsl::{self, Version, WriterFlags};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::ModuleInfo;
 use naga::{EntryPoint, Function, GlobalVariable, Handle, Module, ShaderStage, Statement};
-use scan::PieceKind;
+use scan::{Piece, PieceKind};
 
 /// What the language calls its entry point.
 pub(super) const ENTRY: &str = "main";
@@ -29,24 +29,26 @@ pub(super) fn write(module: &ValidModule, target: Target, options: &Options) -> 
     let is_library = module.module().entry_points.is_empty();
     let whole = if is_library { &with_main(module)? } else { module };
     check_entries(whole, target)?;
-    let mut named = whole.module().clone();
+    let mut named = mark::copy(whole.module());
     named.entry_points[0].name = ENTRY.to_owned();
-    let marked = mark::mark(&named);
-    let entry = marked.module.entry_points[0].name.clone();
     let flags = if is_library { WriterFlags::INCLUDE_UNUSED_ITEMS } else { WriterFlags::empty() };
     let policies = BoundsCheckPolicies::default();
     // What is refused is refused under its own name.
     numbers(&named, whole.info(), target, ENTRY, flags)?;
-    let raw = translate(&marked.module, whole.info(), target, &entry, flags, policies)?;
+    let mut marked = mark::mark(named);
+    let entry = marked.module.entry_points[0].name.clone();
+    let raw = translate(&mut marked.module, whole.info(), target, &entry, flags, policies)?;
     let raw = if is_library { library(&raw) } else { raw };
-    let raw = with_marks(&raw, &marked.module);
+    let resources = Resource::all(&marked.module);
+    let mut text = Text::new(&raw);
+    give_marks(&mut text.pieces, &entry, &resources);
     let original = (module.module(), &module.meta().definitions);
-    tidy::finish(original, &marked.marks, Text::new(&raw), target, options)
+    tidy::finish(original, &marked.marks, text, target, options)
 }
 
-/// The module as naga writes it.
+/// The module as naga writes it; signed remainders are taken out of it.
 pub(super) fn translate(
-    module: &Module,
+    module: &mut Module,
     info: &ModuleInfo,
     target: Target,
     entry: &str,
@@ -65,16 +67,15 @@ pub(super) fn translate(
         entry_point: entry.to_owned(),
         multiview: None,
     };
-    let mut module = module.clone();
-    let remainders = remainder::replace(&mut module, info).map_err(|message| EmitError::Writer {
+    let remainders = remainder::replace(module, info).map_err(|message| EmitError::Writer {
         target,
         message: format!("it cannot tell {message} apart"),
     })?;
     guarded(target, || {
         let mut raw = String::new();
-        let mut writer = glsl::Writer::new(&mut raw, &module, info, &settings, &pipeline, policies)?;
+        let mut writer = glsl::Writer::new(&mut raw, module, info, &settings, &pipeline, policies)?;
         writer.write()?;
-        Ok::<_, glsl::Error>(remainder::define(&without(&raw, &CORE), &remainders))
+        Ok::<_, glsl::Error>(remainder::define(without(&raw, &CORE), &remainders))
     })
 }
 
@@ -136,31 +137,44 @@ fn library(raw: &str) -> String {
 
 /// The text without the lines that begin in one of these ways.
 fn without(text: &str, starts: &[&str]) -> String {
+    let mut out = String::with_capacity(text.len());
     let lines = text.lines().filter(|line| !starts.iter().any(|start| line.starts_with(start)));
-    lines.fold(String::new(), |text, line| text + line + "\n")
+    lines.for_each(|line| out.extend([line, "\n"]));
+    out
 }
 
-/// The text with a mark for each resource and for the entry point, which the writer names after their places.
-///
-/// The block that a buffer is in is called after the buffer.
-fn with_marks(raw: &str, module: &Module) -> String {
-    let pieces = scan::pieces(raw);
-    let mut out = String::new();
-    for (i, piece) in pieces.iter().enumerate() {
-        let rest = || pieces[i..].iter().find_map(|p| global(p.text, module));
-        match piece.kind {
-            PieceKind::Word if piece.text == ENTRY => out.push_str(&module.entry_points[0].name),
-            PieceKind::Word if is_block(piece.text) => match rest() {
-                Some(name) => out.push_str(&format!("{name}_block")),
-                None => out.push_str(piece.text),
-            },
-            PieceKind::Word => out.push_str(global(piece.text, module).unwrap_or(piece.text)),
-            PieceKind::Selector | PieceKind::Opaque | PieceKind::Space | PieceKind::Mark => {
-                out.push_str(piece.text);
-            }
-        }
+/// A resource, which the writer names after its place.
+struct Resource<'m> {
+    place: naga::ResourceBinding,
+    mark: &'m str,
+    /// What the block is called that a buffer is in: after the buffer.
+    block: String,
+}
+
+impl<'m> Resource<'m> {
+    fn all(module: &'m Module) -> Vec<Self> {
+        let named = |(_, global): (_, &'m GlobalVariable)| {
+            let mark = global.name.as_deref()?;
+            Some(Self { place: global.binding?, mark, block: format!("{mark}_block") })
+        };
+        module.global_variables.iter().filter_map(named).collect()
     }
-    out
+}
+
+/// Gives each resource and the entry point its mark.
+fn give_marks<'a>(pieces: &mut [Piece<'a>], entry: &'a str, resources: &'a [Resource<'_>]) {
+    for i in 0..pieces.len() {
+        let Piece { text, kind: PieceKind::Word, .. } = pieces[i] else { continue };
+        let found = if text == ENTRY {
+            Some(entry)
+        } else if is_block(text) {
+            let next = pieces[i..].iter().find_map(|piece| resource(piece.text, resources));
+            next.map(|resource| resource.block.as_str())
+        } else {
+            resource(text, resources).map(|resource| resource.mark)
+        };
+        pieces[i].text = found.unwrap_or(text);
+    }
 }
 
 /// `.._block_7Compute`
@@ -169,11 +183,10 @@ fn is_block(word: &str) -> bool {
     number.is_some_and(|(_, number)| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// The name of the global variable that the writer calls `_group_0_binding_1_cs`.
-fn global<'m>(word: &str, module: &'m Module) -> Option<&'m str> {
+/// The resource that the writer calls `_group_0_binding_1_cs`.
+fn resource<'r, 'm>(word: &str, resources: &'r [Resource<'m>]) -> Option<&'r Resource<'m>> {
     let place = word.strip_prefix("_group_")?.strip_suffix("_cs")?;
     let (group, binding) = place.split_once("_binding_")?;
     let place = naga::ResourceBinding { group: group.parse().ok()?, binding: binding.parse().ok()? };
-    let mut globals = module.global_variables.iter();
-    globals.find(|(_, g)| g.binding == Some(place)).and_then(|(_, g)| g.name.as_deref())
+    resources.iter().find(|resource| resource.place == place)
 }

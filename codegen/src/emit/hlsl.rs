@@ -13,32 +13,39 @@ use super::{EmitError, Options, Target, guarded, mark};
 use crate::ValidModule;
 use naga::back::hlsl;
 use naga::valid::ModuleInfo;
+use structured::Structured;
 
 /// Writes the module as HLSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     refuse_group_count(module)?;
-    let structured = structured::of(module.module());
-    let (original, info) = match &structured {
-        Some(structured) => (&structured.module, &structured.info),
-        None => (module.module(), module.info()),
+    let (copy, structured) = match structured::of(module.module()) {
+        Some((copy, structured)) => (copy, Some(structured)),
+        None => (mark::copy(module.module()), None),
     };
-    let marked = mark::mark(original);
-    let (mut raw, _) = translate(&marked.module, info, &settings())?;
-    if let Some(structured) = &structured {
-        raw = structured.declare(&raw, &marked.marks);
-    }
-    let original = (original, &module.meta().definitions);
-    tidy::finish(original, &marked.marks, Text::new(&without_const(&raw)), Target::Hlsl, options)
+    let marked = mark::mark(copy);
+    let info = structured.as_ref().map_or(module.info(), |structured| &structured.info);
+    let (raw, _) = translate(&marked.module, info, &settings())?;
+    let raw = mended(&raw, structured.as_ref(), &marked.marks);
+    let original = (module.module(), &module.meta().definitions);
+    tidy::finish(original, &marked.marks, Text::new(&raw), Target::Hlsl, options)
 }
 
-/// The text with variables that are declared alike: naga makes those constant that hold the result of a call.
-fn without_const(raw: &str) -> String {
-    let plain = |line: &str| {
-        let text = line.trim_start();
-        let indent = &line[..line.len() - text.len()];
-        format!("{indent}{}\n", text.strip_prefix("const ").filter(|_| !indent.is_empty()).unwrap_or(text))
-    };
-    raw.lines().map(plain).collect()
+/// The text with the buffers declared, and with variables that are declared alike: naga makes those constant that hold
+/// the result of a call.
+fn mended(raw: &str, structured: Option<&Structured>, marks: &mark::Marks) -> String {
+    let mut out = String::with_capacity(raw.len());
+    for line in raw.lines() {
+        let text = line.trim_start_matches(' ');
+        let (indent, text) = line.split_at(line.len() - text.len());
+        let text = text.strip_prefix("const ").filter(|_| !indent.is_empty()).unwrap_or(text);
+        out.push_str(indent);
+        match structured {
+            Some(structured) => structured.declare(text, marks, &mut out),
+            None => out.push_str(text),
+        }
+        out.push('\n');
+    }
+    out
 }
 
 /// The module as naga writes it, and what its entry points are called there.
@@ -55,7 +62,7 @@ pub(super) fn translate(
         let names: Result<Vec<_>, _> = written.entry_point_names.into_iter().collect();
         names.map(|names| (raw, names)).map_err(|e| e.to_string())
     })?;
-    Ok((mend_setters(&raw), names))
+    Ok((mend_setters(raw), names))
 }
 
 /// HLSL has no input for the number of workgroups; naga reads it from a constant buffer that the host must
@@ -76,7 +83,10 @@ fn refuse_group_count(module: &ValidModule) -> Result<(), EmitError> {
 ///
 /// naga writes these helpers for matrices with two rows inside structures, and passes the structure
 /// by value: what they store would be lost.
-fn mend_setters(raw: &str) -> String {
+fn mend_setters(raw: String) -> String {
+    if !raw.contains("void SetMat") {
+        return raw;
+    }
     let mend = |line: &str| match line.starts_with("void SetMat") {
         true => line.replacen('(', "(inout ", 1),
         false => line.to_owned(),

@@ -5,7 +5,7 @@
 //! language, and ending in no digit.
 //! naga's namer lets it through as it is.
 
-use naga::{Function, Handle, Module, UniqueArena};
+use naga::{Function, Handle, Module, TypeInner};
 
 /// Begin of every mark.
 pub(super) const PREFIX: &str = "lobeq";
@@ -60,9 +60,15 @@ pub(super) struct Mark {
 pub(super) struct Marks(Vec<Mark>);
 
 impl Marks {
-    fn push(&mut self, exact: &str, role: Role) -> String {
-        self.0.push(Mark { exact: exact.to_owned(), role });
+    fn push(&mut self, exact: String, role: Role) -> String {
+        self.0.push(Mark { exact, role });
         spell(self.0.len() - 1)
+    }
+
+    /// Puts a mark in the place of a name; what has none was called `otherwise`.
+    fn replace(&mut self, name: &mut Option<String>, otherwise: &str, role: Role) {
+        let exact = name.take().unwrap_or_else(|| otherwise.to_owned());
+        *name = Some(self.push(exact, role));
     }
 
     /// The mark that `word` begins with.
@@ -83,40 +89,62 @@ impl Marks {
 
 /// The name with this index.
 fn spell(index: usize) -> String {
-    let letter = |i: usize| char::from(b'a' + (index / 26usize.pow(i as u32) % 26) as u8);
-    PREFIX.chars().chain((0..LETTERS).rev().map(letter)).collect()
+    let mut letters = [b'a'; LETTERS];
+    let mut rest = index;
+    for letter in letters.iter_mut().rev() {
+        *letter += (rest % 26) as u8;
+        rest /= 26;
+    }
+    let mut name = String::with_capacity(LENGTH);
+    name.push_str(PREFIX);
+    name.extend(letters.map(char::from));
+    name
 }
 
 /// A module whose names are marks, and their meaning.
 pub(super) struct Marked {
-    /// The copy; its handles are the original's, so that the original's validation holds for it.
+    /// The module; its handles are those that it had, so that its validation holds still.
     pub(super) module: Module,
     /// What the names stand for.
     pub(super) marks: Marks,
 }
 
-/// Copies `original` and gives everything in the copy a mark.
-pub(super) fn mark(original: &Module) -> Marked {
-    let mut module = original.clone();
+/// A copy of all that a writer reads, which is not the documentation.
+pub(super) fn copy(original: &Module) -> Module {
+    Module {
+        types: original.types.clone(),
+        special_types: original.special_types.clone(),
+        constants: original.constants.clone(),
+        overrides: original.overrides.clone(),
+        global_variables: original.global_variables.clone(),
+        global_expressions: original.global_expressions.clone(),
+        functions: original.functions.clone(),
+        entry_points: original.entry_points.clone(),
+        diagnostic_filters: original.diagnostic_filters.clone(),
+        diagnostic_filter_leaf: original.diagnostic_filter_leaf,
+        doc_comments: None,
+    }
+}
+
+/// Gives everything in a module a mark.
+pub(super) fn mark(mut module: Module) -> Marked {
     let mut marks = Marks::default();
     mark_types(&mut module, &mut marks);
     for (handle, constant) in module.constants.iter_mut() {
         // Constants without a name are written where they are used.
-        if let Some(name) = &mut constant.name {
-            *name = marks.push(name, Role::Constant(handle));
+        if constant.name.is_some() {
+            marks.replace(&mut constant.name, "", Role::Constant(handle));
         }
     }
     for (handle, global) in module.global_variables.iter_mut() {
-        let exact = global.name.as_deref().unwrap_or("unnamed");
-        global.name = Some(marks.push(exact, Role::Global(handle)));
+        marks.replace(&mut global.name, "unnamed", Role::Global(handle));
     }
     for (handle, function) in module.functions.iter_mut() {
-        let exact = function.name.as_deref().unwrap_or("unnamed");
-        function.name = Some(marks.push(exact, Role::Function(handle)));
+        marks.replace(&mut function.name, "unnamed", Role::Function(handle));
         mark_function(function, &mut marks);
     }
     for (index, entry) in module.entry_points.iter_mut().enumerate() {
-        entry.name = marks.push(&entry.name, Role::Entry(index));
+        entry.name = marks.push(std::mem::take(&mut entry.name), Role::Entry(index));
         mark_function(&mut entry.function, &mut marks);
     }
     Marked { module, marks }
@@ -128,37 +156,34 @@ pub(super) fn is_predeclared(module: &Module, ty: Handle<naga::Type>) -> bool {
 }
 
 fn mark_types(module: &mut Module, marks: &mut Marks) {
-    let mut types = UniqueArena::new();
-    for (handle, ty) in module.types.iter() {
-        let mut ty = ty.clone();
-        if let naga::TypeInner::Struct { members, .. } = &mut ty.inner
-            && !is_predeclared(module, handle)
-        {
-            ty.name = Some(marks.push(ty.name.as_deref().unwrap_or("unnamed"), Role::Struct(handle)));
+    let is_named = |ty: &Handle<naga::Type>| {
+        matches!(module.types[*ty].inner, TypeInner::Struct { .. }) && !is_predeclared(module, *ty)
+    };
+    let structures: Vec<_> = module.types.iter().map(|(handle, _)| handle).filter(is_named).collect();
+    for handle in structures {
+        let mut ty = module.types[handle].clone();
+        marks.replace(&mut ty.name, "unnamed", Role::Struct(handle));
+        if let TypeInner::Struct { members, .. } = &mut ty.inner {
             for (i, member) in members.iter_mut().enumerate() {
-                let exact = member.name.as_deref().unwrap_or("unnamed");
-                member.name = Some(marks.push(exact, Role::Member(handle, i)));
+                marks.replace(&mut member.name, "unnamed", Role::Member(handle, i));
             }
         }
-        // No two types were equal and marks are unique: each gets the handle it had.
-        types.insert(ty, module.types.get_span(handle));
+        // Marks are unique, so no other type is equal.
+        module.types.replace(handle, ty);
     }
-    module.types = types;
 }
 
 fn mark_function(function: &mut Function, marks: &mut Marks) {
     for argument in &mut function.arguments {
         // Arguments need no name in IR; what has none cannot be asked for by it.
-        argument.name = Some(match &argument.name {
-            Some(exact) => marks.push(exact, Role::Argument),
-            None => marks.push("argument", Role::Local),
-        });
+        let role = if argument.name.is_some() { Role::Argument } else { Role::Local };
+        marks.replace(&mut argument.name, "argument", role);
     }
     for (_, local) in function.local_variables.iter_mut() {
-        local.name = Some(marks.push(local.name.as_deref().unwrap_or("variable"), Role::Local));
+        marks.replace(&mut local.name, "variable", Role::Local);
     }
     for name in function.named_expressions.values_mut() {
-        *name = marks.push(name, Role::Local);
+        *name = marks.push(std::mem::take(name), Role::Local);
     }
 }
 
@@ -190,7 +215,7 @@ mod tests {
     #[test]
     fn a_mark_is_found_by_its_letters() {
         let mut marks = Marks::default();
-        let words: Vec<String> = (0..1000).map(|i| marks.push(&format!("n{i}"), Role::Local)).collect();
+        let words: Vec<String> = (0..1000).map(|i| marks.push(format!("n{i}"), Role::Local)).collect();
         for (i, word) in words.iter().enumerate() {
             assert_eq!(marks.at(&format!("{word}_7")).map(|m| m.exact.as_str()), Some(&*format!("n{i}")));
         }

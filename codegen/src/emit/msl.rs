@@ -16,7 +16,7 @@ use naga::valid::{FunctionInfo, ModuleInfo};
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
     // What is refused is refused under its own name.
     settings(module.module(), module.info())?;
-    let marked = mark::mark(module.module());
+    let marked = mark::mark(mark::copy(module.module()));
     let settings = settings(&marked.module, module.info())?;
     let raw = guarded(Target::Msl, || {
         let mut writer = msl::Writer::new(String::new());

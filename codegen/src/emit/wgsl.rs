@@ -7,7 +7,7 @@ use naga::back::wgsl::{WriterFlags, write_string};
 
 /// Writes the module as WGSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
-    let marked = mark::mark(module.module());
+    let marked = mark::mark(mark::copy(module.module()));
     let raw = guarded(Target::Wgsl, || write_string(&marked.module, module.info(), WriterFlags::empty()))?;
     let original = (module.module(), &module.meta().definitions);
     tidy::finish(original, &marked.marks, Text::new(&raw), Target::Wgsl, options)

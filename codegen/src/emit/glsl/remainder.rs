@@ -4,7 +4,9 @@
 //! The writer is given another operation in its place, whose name in the text then becomes that of a function of ours.
 
 use naga::valid::{FunctionInfo, ModuleInfo};
-use naga::{BinaryOperator, Expression, Function, MathFunction, Module, ScalarKind, TypeInner};
+use naga::{
+    BinaryOperator, Expression, Function, MathFunction, Module, ScalarKind, Type, TypeInner, UniqueArena,
+};
 use std::collections::BTreeSet;
 
 /// What the writer calls the operation that stands in; a call, so nothing else is spelt so.
@@ -18,13 +20,12 @@ const NAME: &str = "lobe_remainder";
 /// When the module has the operation itself, besides remainders.
 pub(super) fn replace(module: &mut Module, info: &ModuleInfo) -> Result<BTreeSet<String>, String> {
     let mut types = BTreeSet::new();
-    let before = module.clone();
     let mut outer = false;
     for (handle, function) in module.functions.iter_mut() {
-        outer |= in_function(&before, function, &info[handle], &mut types);
+        outer |= in_function(&module.types, function, &info[handle], &mut types);
     }
     for (index, entry) in module.entry_points.iter_mut().enumerate() {
-        outer |= in_function(&before, &mut entry.function, info.get_entry_point(index), &mut types);
+        outer |= in_function(&module.types, &mut entry.function, info.get_entry_point(index), &mut types);
     }
     match outer && !types.is_empty() {
         true => Err("outer products beside remainders of signed numbers".to_owned()),
@@ -34,7 +35,7 @@ pub(super) fn replace(module: &mut Module, info: &ModuleInfo) -> Result<BTreeSet
 
 /// Whether the function has the operation itself.
 fn in_function(
-    module: &Module,
+    known: &UniqueArena<Type>,
     function: &mut Function,
     info: &FunctionInfo,
     types: &mut BTreeSet<String>,
@@ -43,7 +44,7 @@ fn in_function(
     for (handle, expression) in function.expressions.iter_mut() {
         outer |= matches!(expression, Expression::Math { fun: MathFunction::Outer, .. });
         let Expression::Binary { op: BinaryOperator::Modulo, left, right } = *expression else { continue };
-        let Some(name) = signed(info[handle].ty.inner_with(&module.types)) else { continue };
+        let Some(name) = signed(info[handle].ty.inner_with(known)) else { continue };
         types.insert(name);
         *expression = Expression::Math {
             fun: MathFunction::Outer,
@@ -68,9 +69,9 @@ fn signed(ty: &TypeInner) -> Option<String> {
 }
 
 /// The text with the function, for each of these types, before the first that may call it.
-pub(super) fn define(raw: &str, types: &BTreeSet<String>) -> String {
+pub(super) fn define(raw: String, types: &BTreeSet<String>) -> String {
     if types.is_empty() {
-        return raw.to_owned();
+        return raw;
     }
     let functions: String = types
         .iter()

@@ -11,7 +11,7 @@
 
 mod stores;
 
-use crate::emit::mark::{LENGTH, Marks, Role};
+use crate::emit::mark::{self, LENGTH, Marks, Role};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{
     AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, Module, ResourceBinding,
@@ -22,9 +22,8 @@ use std::collections::BTreeMap;
 /// Elements of the arrays that stand in: naga knows no type larger than a gigabyte.
 const LARGEST: u32 = 0x3fff_ffff;
 
-/// A module with arrays for buffers.
+/// What is known of a module with arrays for buffers.
 pub(super) struct Structured {
-    pub(super) module: Module,
     pub(super) info: ModuleInfo,
     buffers: BTreeMap<Handle<GlobalVariable>, Buffer>,
 }
@@ -38,8 +37,8 @@ struct Buffer {
     is_wider: bool,
 }
 
-/// The module with arrays for the buffers that can be structured ones; `None` when there are none.
-pub(super) fn of(original: &Module) -> Option<Structured> {
+/// A copy of the module, with arrays for the buffers that can be structured ones; `None` when there are none.
+pub(super) fn of(original: &Module) -> Option<(Module, Structured)> {
     let candidate = |(handle, variable)| Some((handle, buffer(original, variable)?));
     let mut found: BTreeMap<_, _> = original.global_variables.iter().filter_map(candidate).collect();
     if found.is_empty() {
@@ -47,7 +46,7 @@ pub(super) fn of(original: &Module) -> Option<Structured> {
     }
     let misused = misused(original);
     found.retain(|handle, _| !misused.contains(handle));
-    let mut module = original.clone();
+    let mut module = mark::copy(original);
     for (&handle, &(_, element, stride)) in &found {
         let count = std::num::NonZeroU32::new(LARGEST / stride)?;
         let inner = TypeInner::Array { base: element, size: ArraySize::Constant(count), stride };
@@ -58,7 +57,7 @@ pub(super) fn of(original: &Module) -> Option<Structured> {
     stores::by_member(&mut module, |global| found.contains_key(&global));
     let info = crate::guard::quietly(|| validated(&module)).ok()??;
     let buffers = found.into_iter().map(|(handle, (buffer, ..))| (handle, buffer)).collect();
-    Some(Structured { module, info, buffers })
+    Some((module, Structured { info, buffers }))
 }
 
 /// What the writer wants to know of the module.
@@ -148,17 +147,15 @@ fn within(function: &Function) -> Vec<Option<Handle<GlobalVariable>>> {
 }
 
 impl Structured {
-    /// naga's text with the buffers declared; its names are `marks`.
-    pub(super) fn declare(&self, raw: &str, marks: &Marks) -> String {
-        let mut out = String::with_capacity(raw.len());
-        for line in raw.lines() {
-            match self.declaration(line, marks) {
-                Some(declared) => out += &declared,
-                None => out += &self.with_elements(line, marks),
+    /// Writes a line of naga's text, whose names are `marks`, with the buffer declared that it declares.
+    pub(super) fn declare(&self, line: &str, marks: &Marks, out: &mut String) {
+        match self.declaration(line, marks) {
+            Some(declared) => out.push_str(&declared),
+            None if self.buffers.values().any(|buffer| buffer.is_wider) => {
+                self.with_elements(line, marks, out);
             }
-            out.push('\n');
+            None => out.push_str(line),
         }
-        out
     }
 
     fn at(&self, word: &str, marks: &Marks) -> Option<Buffer> {
@@ -180,23 +177,23 @@ impl Structured {
         Some(format!("{kind}<{element}> {name} : register({register}{}{space});", binding.binding))
     }
 
-    /// The line with vectors of three taken out of elements that have four.
-    fn with_elements(&self, line: &str, marks: &Marks) -> String {
-        let (mut out, mut rest) = (String::new(), line);
-        while let Some(at) = rest.find(crate::emit::mark::PREFIX) {
-            let end = (at + LENGTH).min(rest.len());
-            let is_wider = self.at(&rest[at..], marks).is_some_and(|buffer| buffer.is_wider);
-            out += &rest[..end];
-            rest = &rest[end..];
-            if let Some(index) = is_wider.then(|| bracketed(rest)).flatten() {
-                out += &self.with_elements(index, marks);
-                rest = &rest[index.len()..];
-                if !rest.starts_with('.') {
-                    out += ".xyz";
-                }
+    /// Writes the line with vectors of three taken out of elements that have four.
+    fn with_elements(&self, line: &str, marks: &Marks, out: &mut String) {
+        let mut rest = line;
+        while let Some(at) = rest.find('[') {
+            let word = at.checked_sub(LENGTH).and_then(|begin| rest.get(begin..at));
+            let is_wider = word.and_then(|word| self.at(word, marks)).is_some_and(|buffer| buffer.is_wider);
+            let (before, behind) = rest.split_at(at);
+            let index = is_wider.then(|| bracketed(behind)).flatten();
+            let (bracket, inside) = index.unwrap_or("[").split_at(1);
+            out.extend([before, bracket]);
+            self.with_elements(inside, marks, out);
+            rest = &behind[bracket.len() + inside.len()..];
+            if index.is_some() && !rest.starts_with('.') {
+                out.push_str(".xyz");
             }
         }
-        out + rest
+        out.push_str(rest);
     }
 }
 

@@ -16,13 +16,13 @@ pub(super) fn write(module: &ValidModule, index: usize) -> Result<String, EmitEr
             *place = naga::ResourceBinding { group: 0, binding: places.len() as u32 - 1 };
         }
     }
-    let entry = &numbered.entry_points[index].name;
+    let entry = numbered.entry_points[index].name.clone();
     let policies = BoundsCheckPolicies {
         image_load: BoundsCheckPolicy::ReadZeroSkipWrite,
         ..BoundsCheckPolicies::default()
     };
     let flags = WriterFlags::empty();
-    let text = glsl::translate(&numbered, module.info(), Target::Glsl, entry, flags, policies)?;
+    let text = glsl::translate(&mut numbered, module.info(), Target::Glsl, &entry, flags, policies)?;
     Ok(text.lines().fold(String::new(), |text, line| text + &with_group(line, &places) + "\n"))
 }
 

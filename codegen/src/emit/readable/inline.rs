@@ -225,7 +225,7 @@ mod tests {
     /// The text with temporaries in their places; `_e7` and the like are those of `outer`.
     fn inlined(lines: &str) -> String {
         let module = foreign_wgsl(SHADER).unwrap();
-        let marked = mark::mark(module.module());
+        let marked = mark::mark(module.module().clone());
         let (_, outer) = module.module().functions.iter().nth(3).unwrap();
         // The first line is the function's head.
         let mut text = format!("{{\n{lines}");
