@@ -37,7 +37,8 @@ fn lookup(module: &Module, role: Role) -> Option<&[String]> {
 }
 
 fn comment(lines: &[String], indent: &str) -> String {
-    let mut out = String::new();
+    let length: usize = lines.iter().map(|line| indent.len() + line.len() + "/// \n".len()).sum();
+    let mut out = String::with_capacity(length);
     let mut is_behind_blank = false;
     for line in clean(without_examples(lines)) {
         if line.is_empty() && is_behind_blank {
@@ -72,16 +73,24 @@ fn without_examples(lines: &[String]) -> Vec<&String> {
 fn clean<'a>(lines: impl IntoIterator<Item = &'a String>) -> impl Iterator<Item = Cow<'a, str>> {
     lines.into_iter().flat_map(|text| text.split('\n')).map(|line| {
         let line = strip_marks(line);
-        // Every other line break that WGSL knows, and control characters, become blanks.
-        let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
         // In HLSL a backslash at the end continues the comment on the next line.
         let is_end = |c: char| c.is_whitespace() || c == '\\';
-        if line.chars().any(is_break) {
-            let line: String = line.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
-            return Cow::Owned(line.trim_end_matches(is_end).to_owned());
+        match without_breaks(line) {
+            Cow::Borrowed(line) => Cow::Borrowed(line.trim_end_matches(is_end)),
+            Cow::Owned(line) => Cow::Owned(line.trim_end_matches(is_end).to_owned()),
         }
-        Cow::Borrowed(line.trim_end_matches(is_end))
     })
+}
+
+/// Text without line breaks: every one that WGSL knows, and control characters, become blanks.
+pub(super) fn without_breaks(text: &str) -> Cow<'_, str> {
+    let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    // Printable ASCII has none; all bytes are looked at, many at once.
+    let is_plain = text.bytes().fold(true, |is_plain, byte| is_plain & matches!(byte, b' '..=b'~'));
+    if is_plain || !text.contains(is_break) {
+        return Cow::Borrowed(text);
+    }
+    text.chars().map(|c| if is_break(c) { ' ' } else { c }).collect::<String>().into()
 }
 
 /// Links to other items are Rust's: here their names will do.
@@ -96,6 +105,9 @@ pub(super) fn without_links(line: &str) -> Cow<'_, str> {
 fn strip_marks(line: &str) -> &str {
     let line = line.trim_end();
     let start = line.trim_start();
+    if !start.starts_with('/') {
+        return line;
+    }
     for mark in ["///", "//!", "/**"] {
         if let Some(rest) = start.strip_prefix(mark) {
             let rest = rest.strip_suffix("*/").filter(|_| mark == "/**").unwrap_or(rest);

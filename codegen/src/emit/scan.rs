@@ -44,14 +44,14 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut out: Vec<Piece<'_>> = Vec::with_capacity(text.len() / 3);
     let mut rest = text;
     let mut behind_dot = false;
-    while let Some(first) = rest.chars().next() {
+    while let Some(&first) = rest.as_bytes().first() {
         let (mut kind, length) = measure(rest, first);
         if kind == PieceKind::Word && behind_dot {
             kind = PieceKind::Selector;
         }
         let (piece, after) = rest.split_at(length);
         if kind != PieceKind::Space {
-            behind_dot = piece == ".";
+            behind_dot = first == b'.';
         }
         out.push(Piece::new(piece, kind));
         rest = after;
@@ -64,6 +64,10 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
 fn hide_attributes(pieces: &mut [Piece<'_>]) {
     let mut depth = None;
     for i in 0..pieces.len() {
+        // Most pieces are no part of one.
+        if depth.is_none() && !pieces[i].is_word() {
+            continue;
+        }
         let behind = i.checked_sub(1).map(|j| pieces[j].text);
         let piece = &mut pieces[i];
         depth = match (depth, piece.text) {
@@ -83,28 +87,43 @@ fn hide_attributes(pieces: &mut [Piece<'_>]) {
     }
 }
 
-/// Kind and length of the piece that `rest` begins with.
-fn measure(rest: &str, first: char) -> (PieceKind, usize) {
-    let run = |keep: fn(u8) -> bool| rest.bytes().position(|byte| !keep(byte)).unwrap_or(rest.len());
-    let is_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+/// Kind and length of the piece that `rest` begins with, whose first byte is given.
+fn measure(rest: &str, first: u8) -> (PieceKind, usize) {
+    let is_word = |byte: u8| WORD[usize::from(byte)];
     let length = match first {
-        'a'..='z' | 'A'..='Z' | '_' => return (PieceKind::Word, run(is_word)),
-        '0'..='9' => {
-            return (
-                PieceKind::Opaque,
-                run(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.')),
-            );
-        }
-        ' ' | '\n' => return (PieceKind::Space, run(|byte| matches!(byte, b' ' | b'\n'))),
-        '/' if rest.starts_with("//") => rest.find('\n'),
-        '#' => rest.find('\n'),
-        '/' if rest.starts_with("/*") => rest.find("*/").map(|i| i + 2),
-        '"' => string_length(rest),
-        blank if blank.is_whitespace() => return (PieceKind::Space, blank.len_utf8()),
-        mark => return (PieceKind::Mark, mark.len_utf8()),
+        b'a'..=b'z' | b'A'..=b'Z' | b'_' => return (PieceKind::Word, run(rest, is_word)),
+        b'0'..=b'9' => return (PieceKind::Opaque, run(rest, |byte| is_word(byte) || byte == b'.')),
+        b' ' | b'\n' => return (PieceKind::Space, run(rest, |byte| matches!(byte, b' ' | b'\n'))),
+        b'/' if rest.starts_with("//") => rest.find('\n'),
+        b'#' => rest.find('\n'),
+        b'/' if rest.starts_with("/*") => rest.find("*/").map(|i| i + 2),
+        b'"' => string_length(rest),
+        _ => return single(rest),
     };
     (PieceKind::Opaque, length.unwrap_or(rest.len()))
 }
+
+/// How many bytes at the beginning are of a kind.
+fn run(rest: &str, is_kept: impl Fn(u8) -> bool) -> usize {
+    rest.bytes().position(|byte| !is_kept(byte)).unwrap_or(rest.len())
+}
+
+/// A blank or a mark of one character.
+fn single(rest: &str) -> (PieceKind, usize) {
+    let first = rest.chars().next().unwrap_or_default();
+    (if first.is_whitespace() { PieceKind::Space } else { PieceKind::Mark }, first.len_utf8())
+}
+
+/// The bytes that words consist of.
+const WORD: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0u8;
+    while byte < 128 {
+        table[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
+        byte += 1;
+    }
+    table
+};
 
 fn string_length(rest: &str) -> Option<usize> {
     let mut escaped = true;
@@ -124,17 +143,17 @@ pub(crate) fn items<'p, 'a>(pieces: &'p [Piece<'a>]) -> Vec<&'p [Piece<'a>]> {
     let mut out = Vec::new();
     let (mut start, mut depth) = (0, 0usize);
     for (i, piece) in pieces.iter().enumerate() {
-        let ends = match (piece.kind, piece.text) {
-            (PieceKind::Mark, "{") => {
+        let ends = match (piece.kind, piece.text.as_bytes()) {
+            (PieceKind::Mark, b"{") => {
                 depth += 1;
                 false
             }
-            (PieceKind::Mark, "}") => {
+            (PieceKind::Mark, b"}") => {
                 depth = depth.saturating_sub(1);
                 depth == 0 && next_text(pieces, i) != Some(";")
             }
-            (PieceKind::Mark, ";") => depth == 0,
-            (PieceKind::Opaque, line) => line.starts_with('#') && depth == 0,
+            (PieceKind::Mark, b";") => depth == 0,
+            (PieceKind::Opaque, line) => line.starts_with(b"#") && depth == 0,
             _ => false,
         };
         if ends {

@@ -107,9 +107,7 @@ fn header(module: &Module, target: Target, options: &Options) -> String {
 
 /// Text that cannot leave a line comment.
 pub(super) fn one_line(text: &str) -> String {
-    let is_break = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
-    let line: String = text.chars().map(|c| if is_break(c) { ' ' } else { c }).collect();
-    line.trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()
+    docs::without_breaks(text).trim_end_matches(|c: char| c.is_whitespace() || c == '\\').to_owned()
 }
 
 fn list(kernels: &[String]) -> String {

@@ -42,7 +42,8 @@ pub(super) struct Words<'a>(Vec<Word<'a>>);
 impl<'a> Words<'a> {
     /// Finds the words of a text and tells each piece the number of its word.
     pub(super) fn number(pieces: &mut [Piece<'a>], marks: &'a Marks) -> Self {
-        let mut numbers: HashMap<&'a str, u32> = HashMap::default();
+        // Kernels with all that they call have a hundred words or two.
+        let mut numbers: HashMap<&'a str, u32> = HashMap::with_capacity_and_hasher(256, Default::default());
         let mut words = Vec::new();
         for piece in pieces.iter_mut().filter(|piece| piece.is_word()) {
             piece.word = *numbers.entry(piece.text).or_insert_with(|| {
@@ -78,7 +79,7 @@ impl<'a> Words<'a> {
 
 /// Finds the words that are spelled alike.
 fn share(words: &mut [Word<'_>]) {
-    let mut first: HashMap<Cow<'_, str>, usize> = HashMap::default();
+    let mut first = HashMap::with_capacity_and_hasher(words.len(), Default::default());
     for i in 0..words.len() {
         let other = *first.entry(words[i].spelled.clone()).or_insert(i);
         words[other].is_shared |= other != i;

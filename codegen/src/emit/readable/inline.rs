@@ -22,15 +22,9 @@ pub(super) fn inline<'a>(
     pure: &[bool],
 ) -> Vec<Piece<'a>> {
     let movable = movable(function, pure);
-    let mut lines = lines(pieces);
-    for line in &mut lines {
-        line.is_pure = line.declares.is_some_and(|it| {
-            let mut value = pieces[it.value..line.pieces.end].iter();
-            value.all(|piece| is_harmless(piece, words, pure))
-        });
-    }
+    let lines = lines(pieces);
     let uses = uses(pieces, &lines, &movable);
-    let mut text = Text { pieces, words, movable, lines, uses, moved: vec![0; pieces.len()] };
+    let mut text = Text { pieces, words, pure, movable, lines, uses, moved: vec![0; pieces.len()] };
     for i in 0..text.lines.len() {
         if let Some(to) = text.target(i) {
             text.put(i, to);
@@ -73,25 +67,20 @@ fn uses(pieces: &[Piece<'_>], lines: &[Line], movable: &[bool]) -> Vec<Use> {
 
 /// The number of a temporary: writers call that of the expression with this number `_e7`.
 fn temporary(piece: &Piece<'_>) -> Option<usize> {
-    let digits = piece.text.as_bytes().strip_prefix(b"_e").filter(|_| piece.kind == PieceKind::Word)?;
+    let (PieceKind::Word, [b'_', b'e', digits @ ..]) = (piece.kind, piece.text.as_bytes()) else {
+        return None;
+    };
     let is_number = matches!(digits, [b'0'] | [b'1'..=b'9', ..]) && digits.len() < 10;
     let digit =
         |number: usize, &byte: &u8| byte.is_ascii_digit().then(|| number * 10 + usize::from(byte - b'0'));
-    digits.iter().filter(|_| is_number).try_fold(0, digit).filter(|_| is_number)
-}
-
-/// Whether what a piece names changes nothing.
-fn is_harmless(piece: &Piece<'_>, words: &Words<'_>, pure: &[bool]) -> bool {
-    match words.of(piece).and_then(|word| word.role()) {
-        Some(Role::Function(callee)) => pure.get(callee.index()).copied().unwrap_or_default(),
-        _ => !matches!(piece.text, "{" | "}"),
-    }
+    if is_number { digits.iter().try_fold(0, digit) } else { None }
 }
 
 /// The text of a function while values move.
 struct Text<'p, 'a> {
     pieces: &'p [Piece<'a>],
     words: &'p Words<'a>,
+    pure: &'p [bool],
     movable: Vec<bool>,
     lines: Vec<Line>,
     uses: Vec<Use>,
@@ -110,7 +99,7 @@ impl<'a> Text<'_, 'a> {
         };
         let between = self.lines.get(i + 1..to.line)?;
         let is_behind_blank = self.lines[i + 1..=to.line].iter().any(|line| line.is_behind_blank);
-        let is_free = !is_behind_blank && between.iter().all(|line| line.is_gone || line.is_pure);
+        let is_free = !is_behind_blank && between.iter().all(|line| line.is_gone || self.is_pure(line));
         (to.line > i && is_free).then_some(to)
     }
 
@@ -131,8 +120,29 @@ impl<'a> Text<'_, 'a> {
     /// Moves the value of line `i`.
     fn put(&mut self, i: usize, to: Place) {
         self.moved[to.piece] = i as u32 + 1;
-        self.lines[to.line].is_pure &= self.lines[i].is_pure;
         self.lines[i].is_gone = true;
+    }
+
+    /// Whether a line declares a value, and no call in it changes anything.
+    fn is_pure(&self, line: &Line) -> bool {
+        line.value().is_some_and(|mut value| value.all(|piece| self.is_harmless(piece)))
+    }
+
+    /// Whether what a piece names, or what has moved there, changes nothing.
+    fn is_harmless(&self, at: usize) -> bool {
+        if let Some(line) = self.moved_to(at) {
+            return self.is_pure(line);
+        }
+        let piece = &self.pieces[at];
+        match self.words.of(piece).and_then(|word| word.role()) {
+            Some(Role::Function(callee)) => self.pure[callee.index()],
+            _ => !matches!(piece.text, "{" | "}"),
+        }
+    }
+
+    /// The line whose value stands in the place of a piece.
+    fn moved_to(&self, piece: usize) -> Option<&Line> {
+        (self.moved[piece] as usize).checked_sub(1).map(|line| &self.lines[line])
     }
 
     fn written(&self) -> Vec<Piece<'a>> {
@@ -151,8 +161,7 @@ impl<'a> Text<'_, 'a> {
     /// Writes pieces, and in their place what has moved there.
     fn write(&self, pieces: Range<usize>, out: &mut Vec<Piece<'a>>) {
         for piece in pieces {
-            let line = (self.moved[piece] as usize).checked_sub(1).map(|line| &self.lines[line]);
-            match line.and_then(|line| line.value()) {
+            match self.moved_to(piece).and_then(Line::value) {
                 Some(value) => self.write(value, out),
                 None => out.push(self.pieces[piece]),
             }

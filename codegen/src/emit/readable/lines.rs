@@ -12,8 +12,6 @@ pub(super) struct Line {
     pub(super) is_behind_blank: bool,
     /// What it declares: `let NAME = VALUE;`, `float NAME = VALUE;`
     pub(super) declares: Option<Declaration>,
-    /// Whether it declares a value, and no call in it changes anything.
-    pub(super) is_pure: bool,
     /// Whether it was taken out.
     pub(super) is_gone: bool,
 }
@@ -34,7 +32,6 @@ impl Line {
             is_behind_blank: blanks.bytes().filter(|&byte| byte == b'\n').count() > 1,
             declares: declaration(pieces, &range),
             pieces: range,
-            is_pure: false,
             is_gone: false,
         }
     }
@@ -63,20 +60,24 @@ fn declaration(pieces: &[Piece<'_>], line: &Range<usize>) -> Option<Declaration>
     if pieces[line.clone()].last()?.text != ";" {
         return None;
     }
-    let mut blank = None;
+    // The last two blanks.
+    let (mut before, mut blank) = (None, None);
     for at in line.clone() {
-        match (pieces[at].kind, &pieces[at + 1..line.end]) {
-            (PieceKind::Space, [equals, behind, ..])
-                if equals.text == "=" && behind.kind == PieceKind::Space =>
-            {
-                let before = blank.filter(|&before| before > line.start)?;
-                let name = Some(before + 1).filter(|name| name + 1 == at);
-                return Some(Declaration { name, value: at + 3 });
+        match (pieces[at].kind, pieces[at].text.as_bytes()) {
+            (PieceKind::Space, _) => (before, blank) = (blank, Some(at)),
+            (PieceKind::Mark, [b'(' | b'{' | b'[']) => return None,
+            (PieceKind::Mark, b"=") if is_between_blanks(pieces, at) => {
+                let (before, blank) = (before.filter(|&before| before > line.start)?, blank?);
+                let name = Some(before + 1).filter(|name| name + 1 == blank);
+                return Some(Declaration { name, value: at + 2 });
             }
-            (PieceKind::Space, _) => blank = Some(at),
-            (PieceKind::Mark, _) if matches!(pieces[at].text, "(" | "{" | "[") => return None,
             _ => {}
         }
     }
     None
+}
+
+fn is_between_blanks(pieces: &[Piece<'_>], at: usize) -> bool {
+    let is_blank = |at: usize| pieces.get(at).is_some_and(|piece| piece.kind == PieceKind::Space);
+    at.checked_sub(1).is_some_and(is_blank) && is_blank(at + 1)
 }

@@ -36,10 +36,10 @@ pub(super) fn leave_out(pieces: &mut [Piece<'_>]) {
     let mut frames: Vec<Frame> = Vec::new();
     for at in 0..pieces.len() {
         match pieces[at].kind {
-            PieceKind::Mark => match pieces[at].text {
-                "(" | "[" | "{" => frames.push(Frame::new(pieces, at)),
-                ")" | "]" | "}" => close(pieces, &mut frames, at),
-                "," | ";" => frames.iter_mut().last().into_iter().for_each(|frame| frame.inside = None),
+            PieceKind::Mark => match pieces[at].text.as_bytes() {
+                [b'(' | b'[' | b'{'] => frames.push(Frame::new(pieces, at)),
+                [b')' | b']' | b'}'] => close(pieces, &mut frames, at),
+                [b',' | b';'] => frames.iter_mut().last().into_iter().for_each(|frame| frame.inside = None),
                 _ => {}
             },
             PieceKind::Space => {
@@ -75,18 +75,17 @@ impl Frame {
 
     /// Takes the operator in that stands between a blank and the next, if `rest` begins with one.
     fn take_blank(&mut self, rest: &[Piece<'_>]) {
-        let is_closed =
-            |next: &Piece<'_>| next.kind == PieceKind::Mark && matches!(next.text, ")" | "]" | "}");
-        match rest.first() {
-            Some(next) if is_closed(next) => self.inside = None,
-            Some(next) if next.kind == PieceKind::Mark && !matches!(next.text, "(" | "[" | "{") => {
+        let next = rest.first().filter(|next| next.kind == PieceKind::Mark);
+        match next.map(|next| next.text.as_bytes()) {
+            Some([b')' | b']' | b'}']) => self.inside = None,
+            Some([b'(' | b'[' | b'{']) | None => {}
+            Some(_) => {
                 let mut behind =
                     rest.iter().filter(|piece| piece.kind != PieceKind::Mark && !piece.text.is_empty());
                 if behind.next().is_some_and(|piece| piece.kind == PieceKind::Space) {
                     self.inside = self.inside.and_then(|level| Some(level.min(operator(rest.iter())?)));
                 }
             }
-            _ => {}
         }
     }
 }
