@@ -95,7 +95,10 @@ pub(super) fn without_breaks(text: &str) -> Cow<'_, str> {
 
 /// Links to other items are Rust's: here their names will do.
 pub(super) fn without_links(line: &str) -> Cow<'_, str> {
-    match line.contains("[`") || line.contains("`]") {
+    let two = line.bytes().zip(line.bytes().skip(1));
+    // All bytes are looked at, many at once.
+    let is_linked = |two| matches!(two, (b'[', b'`') | (b'`', b']'));
+    match two.fold(false, |found, two| found | is_linked(two)) {
         true => line.replace("[`", "`").replace("`]", "`").into(),
         false => line.into(),
     }

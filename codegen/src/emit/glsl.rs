@@ -39,8 +39,10 @@ pub(super) fn write(module: &ValidModule, target: Target, options: &Options) -> 
     let entry = marked.module.entry_points[0].name.clone();
     let raw = translate(&mut marked.module, whole.info(), target, &entry, flags, policies)?;
     let raw = if is_library { library(&raw) } else { raw };
+    let is_core = |text: &str| CORE.iter().any(|core| text.starts_with(core));
     let resources = Resource::all(&marked.module);
     let mut text = Text::new(&raw);
+    text.pieces.retain(|piece| piece.kind != PieceKind::Opaque || !is_core(piece.text));
     give_marks(&mut text.pieces, &entry, &resources);
     let original = (module.module(), &module.meta().definitions);
     tidy::finish(original, &marked.marks, text, target, options)
@@ -72,10 +74,10 @@ pub(super) fn translate(
         message: format!("it cannot tell {message} apart"),
     })?;
     guarded(target, || {
-        let mut raw = String::new();
+        let mut raw = String::with_capacity(super::SIZE);
         let mut writer = glsl::Writer::new(&mut raw, module, info, &settings, &pipeline, policies)?;
         writer.write()?;
-        Ok::<_, glsl::Error>(remainder::define(without(&raw, &CORE), &remainders))
+        Ok::<_, glsl::Error>(remainder::define(raw, &remainders))
     })
 }
 
@@ -127,6 +129,11 @@ fn with_main(module: &ValidModule) -> Result<ValidModule, EmitError> {
     });
     validate::validate(whole, module.meta().clone())
         .map_err(|e| EmitError::Entry { function: ENTRY.to_owned(), reason: e.to_string() })
+}
+
+/// The text without extensions that its version contains.
+pub(super) fn without_core(raw: &str) -> String {
+    without(raw, &CORE)
 }
 
 /// The text without what only a whole shader may say, and without the entry point.

@@ -6,14 +6,15 @@
 //! own affair, and the code stays readable.
 //! Workgroup memory starts at zero, since the kernel language says so.
 
+mod mend;
 mod structured;
 
 use super::tidy::{self, Text};
 use super::{EmitError, Options, Target, guarded, mark};
 use crate::ValidModule;
+use mend::mended;
 use naga::back::hlsl;
 use naga::valid::ModuleInfo;
-use structured::Structured;
 
 /// Writes the module as HLSL.
 pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, EmitError> {
@@ -25,27 +26,10 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
     let marked = mark::mark(copy);
     let info = structured.as_ref().map_or(module.info(), |structured| &structured.info);
     let (raw, _) = translate(&marked.module, info, &settings())?;
-    let raw = mended(&raw, structured.as_ref(), &marked.marks);
+    let mut text = Text::new(&raw);
+    text.pieces = mended(&text.pieces, structured.as_ref(), &marked.marks);
     let original = (module.module(), &module.meta().definitions);
-    tidy::finish(original, &marked.marks, Text::new(&raw), Target::Hlsl, options)
-}
-
-/// The text with the buffers declared, and with variables that are declared alike: naga makes those constant that hold
-/// the result of a call.
-fn mended(raw: &str, structured: Option<&Structured>, marks: &mark::Marks) -> String {
-    let mut out = String::with_capacity(raw.len());
-    for line in raw.lines() {
-        let text = line.trim_start_matches(' ');
-        let (indent, text) = line.split_at(line.len() - text.len());
-        let text = text.strip_prefix("const ").filter(|_| !indent.is_empty()).unwrap_or(text);
-        out.push_str(indent);
-        match structured {
-            Some(structured) => structured.declare(text, marks, &mut out),
-            None => out.push_str(text),
-        }
-        out.push('\n');
-    }
-    out
+    tidy::finish(original, &marked.marks, text, Target::Hlsl, options)
 }
 
 /// The module as naga writes it, and what its entry points are called there.
@@ -55,7 +39,7 @@ pub(super) fn translate(
     settings: &hlsl::Options,
 ) -> Result<(String, Vec<String>), EmitError> {
     let (raw, names) = guarded(Target::Hlsl, || {
-        let mut raw = String::new();
+        let mut raw = String::with_capacity(super::SIZE);
         let all_entries = hlsl::PipelineOptions { entry_point: None };
         let mut writer = hlsl::Writer::new(&mut raw, settings, &all_entries);
         let written = writer.write(module, info, None).map_err(|e| e.to_string())?;

@@ -342,6 +342,9 @@ pub fn emit(module: &ValidModule, target: Target, options: &Options) -> Result<A
     })
 }
 
+/// Bytes that a writer's text has room for at once; kernels with all that they call need about as many.
+const SIZE: usize = 1 << 14;
+
 /// Runs a writer; its error and its panic become ours.
 fn guarded<T, E: std::fmt::Display>(
     target: Target,

@@ -3,6 +3,7 @@
 //! Nothing here compiles or runs it: there is no Metal compiler outside of Apple's systems.
 //! Buffers, textures and samplers have the numbers of their bindings; there are no groups ([`super::slots`]).
 
+use super::scan::{Piece, PieceKind};
 use super::slots::{Kind, Slot, slots};
 use super::tidy::{self, Text};
 use super::{EmitError, Options, Target, guarded, mark};
@@ -19,49 +20,49 @@ pub(super) fn write(module: &ValidModule, options: &Options) -> Result<String, E
     let marked = mark::mark(mark::copy(module.module()));
     let settings = settings(&marked.module, module.info())?;
     let raw = guarded(Target::Msl, || {
-        let mut writer = msl::Writer::new(String::new());
+        let mut writer = msl::Writer::new(String::with_capacity(super::SIZE));
         writer.write(&marked.module, module.info(), &settings, &msl::PipelineOptions::default())?;
         Ok::<_, msl::Error>(writer.finish())
     })?;
     let original = (module.module(), &module.meta().definitions);
-    tidy::finish(original, &marked.marks, Text::new(&lay_out(&raw)), Target::Msl, options)
+    let mut text = Text::new(&raw);
+    lay_out(&mut text.pieces);
+    tidy::finish(original, &marked.marks, text, Target::Msl, options)
 }
 
-/// The text without its remark on the version and without structures that have no members, the parameters of each
-/// function on one line.
-fn lay_out(raw: &str) -> String {
-    let mut out = String::new();
-    let mut is_inside = false;
-    let raw = without_empty(raw);
-    for line in raw.lines().filter(|line| !line.starts_with("// language:")) {
-        let begins = line.ends_with('(') && !line.starts_with([' ', '/', '#']);
-        let is_first = out.ends_with('(');
-        is_inside = (is_inside || begins) && line != ") {";
-        match is_inside && !begins {
-            // A parameter begins with its comma, or the line before ends with it.
-            true if line.starts_with(',') || is_first => out.push_str(line.trim()),
-            true => out.push_str(&format!(" {}", line.trim())),
-            false => out.push_str(line),
-        }
-        if !is_inside {
-            out.push('\n');
+/// Leaves out the remark on the version and structures that have no members, and puts the parameters of each function
+/// on one line.
+fn lay_out(pieces: &mut Vec<Piece<'_>>) {
+    let (mut is_outside, mut is_inside) = (true, false);
+    for at in 0..pieces.len() {
+        let Piece { text, kind, .. } = pieces[at];
+        if kind == PieceKind::Space && text.contains('\n') {
+            let before = at.checked_sub(1).map(|before| pieces[before].text);
+            let begins = is_outside && before == Some("(");
+            let next = pieces.get(at + 1).map(|next| next.text);
+            if begins || is_inside {
+                // A parameter begins with its comma, or the line before ends with it.
+                pieces[at].text = if begins || matches!(next, Some("," | ")")) { "" } else { " " };
+            }
+            is_inside = (begins || is_inside) && next != Some(")");
+            is_outside = text.ends_with('\n');
+        } else if text.starts_with("// language:") {
+            pieces[at].text = "";
+        } else if text == "struct" && is_empty(&pieces[at..]) {
+            pieces[at..at + EMPTY.len()].iter_mut().for_each(|piece| piece.text = "");
         }
     }
-    out
+    pieces.retain(|piece| !piece.text.is_empty());
 }
 
-/// The structure that an entry point without interpolated inputs would read them from.
-fn without_empty(raw: &str) -> String {
-    let mut out = String::new();
-    let mut lines = raw.lines().peekable();
-    while let Some(line) = lines.next() {
-        let is_empty = line.starts_with("struct ") && line.ends_with('{') && lines.peek() == Some(&"};");
-        match is_empty {
-            true => drop(lines.next()),
-            false => out.extend([line, "\n"]),
-        }
-    }
-    out
+/// The structure that an entry point without interpolated inputs would read them from; its name stands third.
+const EMPTY: [&str; 8] = ["struct", " ", "", " ", "{", "\n", "}", ";"];
+
+/// Whether pieces begin with a structure that has no members.
+fn is_empty(pieces: &[Piece<'_>]) -> bool {
+    let is_alike =
+        |(i, text): (usize, &&str)| i == 2 || pieces.get(i).is_some_and(|piece| piece.text == *text);
+    EMPTY.iter().enumerate().all(is_alike)
 }
 
 fn settings(module: &Module, info: &ModuleInfo) -> Result<msl::Options, EmitError> {

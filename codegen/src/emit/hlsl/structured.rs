@@ -11,7 +11,7 @@
 
 mod stores;
 
-use crate::emit::mark::{self, LENGTH, Marks, Role};
+use crate::emit::mark::{self, Marks, Role};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{
     AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, Module, ResourceBinding,
@@ -29,12 +29,20 @@ pub(super) struct Structured {
 }
 
 /// What a declaration becomes.
-#[derive(Debug, Clone, Copy)]
-struct Buffer {
-    binding: ResourceBinding,
+#[derive(Debug)]
+pub(super) struct Buffer {
     is_written: bool,
     /// Whether its elements are vectors of three.
-    is_wider: bool,
+    pub(super) is_wider: bool,
+    /// What comes behind its name: ` : register(u0);`.
+    pub(super) place: String,
+}
+
+impl Buffer {
+    /// What HLSL calls such buffers.
+    pub(super) fn kind(&self) -> &'static str {
+        if self.is_written { "RWStructuredBuffer" } else { "StructuredBuffer" }
+    }
 }
 
 /// A copy of the module, with arrays for the buffers that can be structured ones; `None` when there are none.
@@ -47,9 +55,9 @@ pub(super) fn of(original: &Module) -> Option<(Module, Structured)> {
     let misused = misused(original);
     found.retain(|handle, _| !misused.contains(handle));
     let mut module = mark::copy(original);
-    for (&handle, &(_, element, stride)) in &found {
-        let count = std::num::NonZeroU32::new(LARGEST / stride)?;
-        let inner = TypeInner::Array { base: element, size: ArraySize::Constant(count), stride };
+    for (&handle, (_, element, stride)) in &found {
+        let count = std::num::NonZeroU32::new(LARGEST / *stride)?;
+        let inner = TypeInner::Array { base: *element, size: ArraySize::Constant(count), stride: *stride };
         let ty = module.types.insert(Type { name: None, inner }, naga::Span::UNDEFINED);
         let standing_in = module.global_variables.get_mut(handle);
         (standing_in.ty, standing_in.space, standing_in.binding) = (ty, AddressSpace::Private, None);
@@ -79,7 +87,14 @@ fn buffer(module: &Module, variable: &GlobalVariable) -> Option<(Buffer, Handle<
     let has_name = !matches!(module.types[base].inner, TypeInner::Array { .. });
     let fits = is_wider || (has_name && size(module, base) == Some(stride));
     let is_written = access.contains(StorageAccess::STORE);
-    fits.then_some((Buffer { binding: variable.binding?, is_written, is_wider }, base, stride))
+    let place = place(variable.binding?, is_written);
+    fits.then_some((Buffer { is_written, is_wider, place }, base, stride))
+}
+
+fn place(binding: ResourceBinding, is_written: bool) -> String {
+    let register = if is_written { 'u' } else { 't' };
+    let space = if binding.group == 0 { String::new() } else { format!(", space{}", binding.group) };
+    format!(" : register({register}{}{space});", binding.binding)
 }
 
 fn is_vector_of_three(module: &Module, ty: Handle<Type>) -> bool {
@@ -125,12 +140,19 @@ fn misused(module: &Module) -> Vec<Handle<GlobalVariable>> {
 }
 
 fn misused_in(function: &Function) -> Vec<Handle<GlobalVariable>> {
-    let within = within(function);
     let array = |expression: &Expression| match *expression {
-        Expression::ArrayLength(array) => within[array.index()],
+        Expression::ArrayLength(array) => Some(array),
         _ => None,
     };
-    function.expressions.iter().filter_map(|(_, expression)| array(expression)).collect()
+    let mut arrays = function.expressions.iter().filter_map(|(_, expression)| array(expression)).peekable();
+    // Most functions ask for no lengths.
+    match arrays.peek() {
+        Some(_) => {
+            let within = within(function);
+            arrays.filter_map(|array| within[array.index()]).collect()
+        }
+        None => Vec::new(),
+    }
 }
 
 /// The variable that each expression points into, if it points into one.
@@ -147,70 +169,13 @@ fn within(function: &Function) -> Vec<Option<Handle<GlobalVariable>>> {
 }
 
 impl Structured {
-    /// Writes a line of naga's text, whose names are `marks`, with the buffer declared that it declares.
-    pub(super) fn declare(&self, line: &str, marks: &Marks, out: &mut String) {
-        match self.declaration(line, marks) {
-            Some(declared) => out.push_str(&declared),
-            None if self.buffers.values().any(|buffer| buffer.is_wider) => {
-                self.with_elements(line, marks, out);
-            }
-            None => out.push_str(line),
-        }
-    }
-
-    fn at(&self, word: &str, marks: &Marks) -> Option<Buffer> {
+    /// The buffer that the array with this mark stands for.
+    pub(super) fn buffer(&self, word: &str, marks: &Marks) -> Option<&Buffer> {
         match marks.at(word)?.role {
-            Role::Global(global) => self.buffers.get(&global).copied(),
+            Role::Global(global) => self.buffers.get(&global),
             _ => None,
         }
     }
-
-    /// The buffer for `static Element name[..] = ..;`.
-    fn declaration(&self, line: &str, marks: &Marks) -> Option<String> {
-        let (element, rest) = line.strip_prefix("static ")?.split_once(' ')?;
-        let (name, _) = rest.split_once('[')?;
-        let Buffer { binding, is_written, is_wider } = self.at(name, marks)?;
-        let element = if is_wider { element.replace('3', "4") } else { element.to_owned() };
-        let (kind, register) =
-            if is_written { ("RWStructuredBuffer", 'u') } else { ("StructuredBuffer", 't') };
-        let space = if binding.group == 0 { String::new() } else { format!(", space{}", binding.group) };
-        Some(format!("{kind}<{element}> {name} : register({register}{}{space});", binding.binding))
-    }
-
-    /// Writes the line with vectors of three taken out of elements that have four.
-    fn with_elements(&self, line: &str, marks: &Marks, out: &mut String) {
-        let mut rest = line;
-        while let Some(at) = rest.find('[') {
-            let word = at.checked_sub(LENGTH).and_then(|begin| rest.get(begin..at));
-            let is_wider = word.and_then(|word| self.at(word, marks)).is_some_and(|buffer| buffer.is_wider);
-            let (before, behind) = rest.split_at(at);
-            let index = is_wider.then(|| bracketed(behind)).flatten();
-            let (bracket, inside) = index.unwrap_or("[").split_at(1);
-            out.extend([before, bracket]);
-            self.with_elements(inside, marks, out);
-            rest = &behind[bracket.len() + inside.len()..];
-            if index.is_some() && !rest.starts_with('.') {
-                out.push_str(".xyz");
-            }
-        }
-        out.push_str(rest);
-    }
-}
-
-/// What `text` begins with, from a bracket to the one that closes it.
-fn bracketed(text: &str) -> Option<&str> {
-    let mut depth = 0usize;
-    for (at, c) in text.char_indices() {
-        match c {
-            '[' => depth += 1,
-            ']' => depth = depth.checked_sub(1)?,
-            _ => {}
-        }
-        if depth == 0 {
-            return (at > 0).then(|| &text[..=at]);
-        }
-    }
-    None
 }
 
 #[cfg(test)]

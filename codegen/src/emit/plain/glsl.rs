@@ -23,6 +23,7 @@ pub(super) fn write(module: &ValidModule, index: usize) -> Result<String, EmitEr
     };
     let flags = WriterFlags::empty();
     let text = glsl::translate(&mut numbered, module.info(), Target::Glsl, &entry, flags, policies)?;
+    let text = glsl::without_core(&text);
     Ok(text.lines().fold(String::new(), |text, line| text + &with_group(line, &places) + "\n"))
 }
 

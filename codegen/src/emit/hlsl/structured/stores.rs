@@ -8,6 +8,9 @@ pub(super) fn by_member(module: &mut Module, is_buffer: impl Fn(Handle<GlobalVar
     let Module { types, global_variables, functions, entry_points, .. } = module;
     let bodies = functions.iter_mut().map(|(_, function)| function);
     for function in bodies.chain(entry_points.iter_mut().map(|entry| &mut entry.function)) {
+        if !function.expressions.iter().any(|(_, it)| matches!(it, Expression::GlobalVariable(_))) {
+            continue;
+        }
         let within = within(function);
         let element = |pointer: Handle<Expression>| {
             let global = within[pointer.index()].filter(|&global| is_buffer(global))?;
@@ -25,6 +28,9 @@ pub(super) fn by_member(module: &mut Module, is_buffer: impl Fn(Handle<GlobalVar
         };
         let counts: Vec<Option<u32>> =
             function.expressions.iter().map(|(handle, _)| element(handle)).collect();
+        if counts.iter().all(Option::is_none) {
+            continue;
+        }
         let body = std::mem::take(&mut function.body);
         function.body = rewritten(body, function, &counts);
     }

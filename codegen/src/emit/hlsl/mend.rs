@@ -1,0 +1,99 @@
+//! naga's HLSL with the buffers declared that its arrays stand for, and with variables that are declared alike.
+
+use super::structured::Structured;
+use crate::emit::mark::{LENGTH, Marks};
+use crate::emit::scan::{self, Piece, PieceKind};
+
+/// Mends a text, whose names are `marks`.
+pub(super) fn mended<'a>(
+    pieces: &[Piece<'a>],
+    structured: Option<&'a Structured>,
+    marks: &'a Marks,
+) -> Vec<Piece<'a>> {
+    let mut mender = Mender { structured, marks, out: Vec::with_capacity(pieces.len() + pieces.len() / 8) };
+    mender.take(pieces);
+    mender.out
+}
+
+struct Mender<'a> {
+    structured: Option<&'a Structured>,
+    marks: &'a Marks,
+    out: Vec<Piece<'a>>,
+}
+
+impl<'a> Mender<'a> {
+    fn take(&mut self, pieces: &[Piece<'a>]) {
+        let mut at = 0;
+        while let Some(piece) = pieces.get(at) {
+            let rest = &pieces[at..];
+            let taken = match piece.text.as_bytes() {
+                b"const" => self.qualifier(),
+                b"static" => self.declaration(rest),
+                b"[" => self.index(rest),
+                _ => None,
+            };
+            if taken.is_none() {
+                self.out.push(*piece);
+            }
+            at += taken.unwrap_or(1);
+        }
+    }
+
+    /// Takes a `const` that begins a line within a function: naga makes those constant that hold the result of a call.
+    fn qualifier(&self) -> Option<usize> {
+        let blanks = self.out.last()?.text;
+        let is_indented = blanks.contains('\n') && !blanks.ends_with('\n');
+        // The word and the blank behind it.
+        is_indented.then_some(2)
+    }
+
+    /// Takes `static Element name[..] = ..;` where that stands for a buffer.
+    fn declaration(&mut self, rest: &[Piece<'a>]) -> Option<usize> {
+        let [_, blank, element, _, name, Piece { text: "[", .. }, ..] = rest else { return None };
+        let buffer = self.structured?.buffer(name.text, self.marks)?;
+        let element =
+            if buffer.is_wider { Piece { text: wider(element.text), ..*element } } else { *element };
+        let mark = |text| Piece::new(text, PieceKind::Mark);
+        let kind = Piece::new(buffer.kind(), PieceKind::Word);
+        self.out.extend([kind, mark("<"), element, mark(">"), *blank, *name]);
+        self.out.extend(scan::pieces(&buffer.place));
+        rest.iter().position(|piece| piece.text == ";").map(|end| end + 1)
+    }
+
+    /// Takes the index of an element that is wider than what it stands for, which is taken out of it.
+    fn index(&mut self, rest: &[Piece<'a>]) -> Option<usize> {
+        let array = self.out.last().filter(|array| array.text.len() == LENGTH)?;
+        self.structured?.buffer(array.text, self.marks).filter(|buffer| buffer.is_wider)?;
+        let end = closing(rest)?;
+        self.out.push(rest[0]);
+        self.take(&rest[1..end]);
+        self.out.push(rest[end]);
+        if rest.get(end + 1).is_none_or(|behind| behind.text != ".") {
+            self.out.extend([Piece::new(".", PieceKind::Mark), Piece::new("xyz", PieceKind::Selector)]);
+        }
+        Some(end + 1)
+    }
+}
+
+/// The vector of four of what a vector of three has.
+fn wider(element: &str) -> &str {
+    match element {
+        "float3" => "float4",
+        "int3" => "int4",
+        "uint3" => "uint4",
+        other => other,
+    }
+}
+
+/// Where the bracket is closed that `pieces` begin with.
+fn closing(pieces: &[Piece<'_>]) -> Option<usize> {
+    let mut depth = 0usize;
+    pieces.iter().position(|piece| {
+        match piece.text {
+            "[" => depth += 1,
+            "]" => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    })
+}
