@@ -95,10 +95,11 @@ pub(super) fn without_breaks(text: &str) -> Cow<'_, str> {
 
 /// Links to other items are Rust's: here their names will do.
 pub(super) fn without_links(line: &str) -> Cow<'_, str> {
-    let two = line.bytes().zip(line.bytes().skip(1));
+    let behind = line.as_bytes().get(1..).unwrap_or_default();
+    let two = line.as_bytes().iter().zip(behind);
     // All bytes are looked at, many at once.
     let is_linked = |two| matches!(two, (b'[', b'`') | (b'`', b']'));
-    match two.fold(false, |found, two| found | is_linked(two)) {
+    match two.fold(false, |found, (&first, &second)| found | is_linked((first, second))) {
         true => line.replace("[`", "`").replace("`]", "`").into(),
         false => line.into(),
     }

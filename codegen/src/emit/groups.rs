@@ -24,52 +24,54 @@ enum Kind<'a> {
 
 /// What stands before a statement.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Lead {
-    is_blank: bool,
-    comment: Vec<String>,
+pub(super) struct Lead {
+    /// Whether a blank line does.
+    pub(super) is_blank: bool,
+    /// The lines of a comment, without its marks.
+    pub(super) comment: Vec<String>,
 }
 
-/// What stands before each statement of a kind, in order.
-type Statements<'a> = HashMap<Kind<'a>, Vec<Option<Lead>>>;
-
-/// The text of a function of `def`, whose statements are lines, with the source's groups.
-pub(super) fn grouped(text: &str, def: &'static FunctionDef, with_comments: bool) -> String {
-    let statements = Reader::read(def, with_comments);
-    if statements.values().flatten().all(Option::is_none) {
-        return text.to_owned();
-    }
-    let leads = leads(text, &statements);
-    let mut out = String::with_capacity(text.len());
-    for (i, line) in text.lines().enumerate() {
-        if let Some(lead) = leads.get(&i) {
-            let indent = &line[..line.len() - line.trim_start().len()];
-            out += if lead.is_blank && !out.trim_end().ends_with('{') { "\n" } else { "" };
-            lead.comment.iter().for_each(|comment| out += &format!("{indent}// {comment}\n"));
-        }
-        out += line;
-        out.push('\n');
-    }
-    out
+/// The statements of a kind, and the lines that are known by it, each by its number.
+#[derive(Default)]
+struct Alike {
+    statements: Vec<usize>,
+    lines: Vec<usize>,
 }
 
-/// What comes before which line.
-fn leads<'s>(text: &str, statements: &'s Statements<'_>) -> HashMap<usize, &'s Lead> {
-    let mut found: HashMap<Kind<'_>, Vec<usize>> = HashMap::default();
+type Kinds<'a> = HashMap<Kind<'a>, Alike>;
+
+/// What comes before which line of a function of `def`, in order; its statements are lines.
+pub(super) fn leads(text: &str, def: &'static FunctionDef, with_comments: bool) -> Vec<(usize, Lead)> {
+    let mut statements = Reader::read(def, with_comments);
+    if statements.iter().all(|(_, lead)| lead.is_none()) {
+        return Vec::new();
+    }
+    let kinds = kinds(text, &statements);
+    let mut leads = Vec::new();
+    for Alike { statements: alike, lines } in
+        kinds.into_values().filter(|it| it.lines.len() == it.statements.len())
+    {
+        let lead = |(line, statement): (usize, usize)| Some((line, statements[statement].1.take()?));
+        leads.extend(lines.into_iter().zip(alike).filter_map(lead));
+    }
+    leads.sort_unstable_by_key(|(line, _)| *line);
+    leads
+}
+
+/// The kinds of statements, with the lines of the text.
+fn kinds<'t>(text: &'t str, statements: &Statements) -> Kinds<'t> {
+    let mut kinds = Kinds::default();
+    for (i, (kind, _)) in statements.iter().enumerate() {
+        kinds.entry(*kind).or_default().statements.push(i);
+    }
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     for (i, line) in lines.iter().enumerate() {
-        if let Some(kind) = kind(line, statements).filter(|_| !is_of_loop(&lines[i..])) {
-            found.entry(kind).or_default().push(i);
+        let kind = kind(line, &kinds).filter(|_| !is_of_loop(&lines[i..]));
+        if let Some(alike) = kind.and_then(|kind| kinds.get_mut(&kind)) {
+            alike.lines.push(i);
         }
     }
-    let mut leads = HashMap::default();
-    for (kind, statements) in statements {
-        let lines = found.get(kind).map_or(&[][..], Vec::as_slice);
-        if lines.len() == statements.len() {
-            let led = lines.iter().zip(statements);
-            leads.extend(led.filter_map(|(&line, lead)| Some((line, lead.as_ref()?))));
-        }
-    }
-    leads
+    kinds
 }
 
 /// Whether the lines begin with an `if` that a writer makes of a loop: it leaves the loop, or ends a round.
@@ -82,7 +84,7 @@ fn is_of_loop(lines: &[&str]) -> bool {
 }
 
 /// What a line of any target is known by.
-fn kind<'t>(line: &'t str, wanted: &Statements<'_>) -> Option<Kind<'t>> {
+fn kind<'t>(line: &'t str, wanted: &Kinds<'_>) -> Option<Kind<'t>> {
     if line.starts_with("if (") || line.starts_with("} else if (") {
         return Some(Kind::If);
     }
@@ -105,7 +107,7 @@ fn kind<'t>(line: &'t str, wanted: &Statements<'_>) -> Option<Kind<'t>> {
 }
 
 /// The declared name: the second variable of a name has a number behind it.
-fn base<'t>(name: &'t str, wanted: &Statements<'_>) -> &'t str {
+fn base<'t>(name: &'t str, wanted: &Kinds<'_>) -> &'t str {
     let is_wanted =
         |name| wanted.contains_key(&Kind::Declares(name)) || wanted.contains_key(&Kind::Assigns(name));
     match name.rsplit_once('_') {
@@ -118,19 +120,24 @@ fn base<'t>(name: &'t str, wanted: &Statements<'_>) -> &'t str {
     }
 }
 
+/// Statements as they were written, and what stands before each.
+type Statements = Vec<(Kind<'static>, Option<Lead>)>;
+
 /// Goes through the statements as they were written.
 struct Reader {
     def: &'static FunctionDef,
-    /// The lines of the source.
+    /// The lines of the source that statements stand on, and those above.
     lines: Vec<&'static str>,
-    statements: Statements<'static>,
+    /// The number of the first of them.
+    first: u32,
+    statements: Statements,
     with_comments: bool,
 }
 
 impl Reader {
-    fn read(def: &'static FunctionDef, with_comments: bool) -> Statements<'static> {
-        let lines = def.source.text.lines().map(str::trim).collect();
-        let mut reader = Self { def, lines, statements: HashMap::default(), with_comments };
+    fn read(def: &'static FunctionDef, with_comments: bool) -> Statements {
+        let (first, lines) = body(def);
+        let mut reader = Self { def, lines, first, statements: Vec::new(), with_comments };
         reader.block(&def.body, true);
         reader.statements
     }
@@ -205,19 +212,42 @@ impl Reader {
 
     fn note(&mut self, kind: Kind<'static>, line: u32) {
         let lead = self.lead(line);
-        self.statements.entry(kind).or_default().push(lead);
+        self.statements.push((kind, lead));
     }
 
     /// What stands above a line of the source.
     fn lead(&self, line: u32) -> Option<Lead> {
-        let above = line.checked_sub(self.def.source.line)? as usize;
+        let above = line.checked_sub(self.first)? as usize;
         let lines = self.lines.get(..above)?;
-        let is_comment = |line: &&&str| line.starts_with("//") && !line.starts_with("///");
-        let count = lines.iter().rev().take_while(is_comment).count();
+        let count = lines.iter().rev().take_while(|line| is_comment(line)).count();
         let (rest, comment) = lines.split_at(lines.len() - count);
         let is_blank = rest.last().is_some_and(|line| line.is_empty());
         let text = |line: &&str| one_line(&without_links(line.trim_start_matches('/').trim_start()));
         let comment = comment.iter().filter(|_| self.with_comments).map(text).collect();
         Some(Lead { is_blank, comment }).filter(|lead| lead.is_blank || !lead.comment.is_empty())
     }
+}
+
+fn is_comment(line: &str) -> bool {
+    line.starts_with("//") && !line.starts_with("///")
+}
+
+/// The last lines of a function's source, from above its first statement on, and the number of the first of them: what
+/// is before is documentation.
+fn body(def: &'static FunctionDef) -> (u32, Vec<&'static str>) {
+    let (text, body) = (def.source.text, &def.body);
+    let begin = body.stmts.first().map(|stmt| stmt.span).or(body.value.map(|value| value.span));
+    let begin = begin.map_or(def.source.line, |span| span.start.0);
+    let breaks = text.bytes().map(|byte| u32::from(byte == b'\n')).sum::<u32>();
+    let mut number = def.source.line + breaks + 1;
+    let mut lines = Vec::new();
+    for line in text.rsplit('\n').map(str::trim) {
+        number -= 1;
+        lines.push(line);
+        if number < begin && !is_comment(line) {
+            break;
+        }
+    }
+    lines.reverse();
+    (number, lines)
 }

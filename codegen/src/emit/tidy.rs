@@ -1,12 +1,13 @@
 //! The finished text: header, items with their docs, one blank line between them.
 
+use super::groups::{self, Lead};
 use super::mark::{Marks, Role};
 use super::readable::Author;
-use super::rename::{Item, Renamer};
+use super::rename::Renamer;
 use super::scan::{self, Piece};
 use super::words::Words;
 use super::wrap::wrap;
-use super::{EmitError, Options, Target, docs, groups};
+use super::{EmitError, Options, Target, docs};
 use crate::module::Definitions;
 use naga::FastHashSet as HashSet;
 use naga::{Function, Module, Statement};
@@ -48,48 +49,76 @@ pub(super) fn finish<'a>(
         let defines = renamer.defines(pieces);
         let written = renamer.body(defines).map(|(_, function)| author.written(pieces, function));
         let item = renamer.item(written.as_deref().unwrap_or(pieces), defines, options.docs)?;
-        let item = with_groups(item, definitions, options.docs);
-        let (text, is_line) = lay_out(module, &item, options.docs);
+        let text = item.text.trim();
+        let docs =
+            item.defines.filter(|_| options.docs).map(|role| docs::item(module, role)).unwrap_or_default();
+        let is_line = docs.is_empty() && !text.contains('\n');
         let is_together = former_is_line && is_line;
         if !out.is_empty() && !is_together {
             out.push('\n');
         }
-        out.push_str(&text);
+        out.push_str(&docs);
+        lay_out(text, &leads(text, item.defines, definitions, options.docs), &mut out);
         former_is_line = is_line;
     }
     Ok(out)
 }
 
-/// The item with the groups of the definition that it comes from.
-fn with_groups(item: Item, definitions: &Definitions, with_comments: bool) -> Item {
-    let Some(Role::Function(function)) = item.defines else { return item };
-    match definitions.get(&function) {
-        Some(definition) => {
-            Item { text: groups::grouped(item.text.trim(), definition, with_comments), ..item }
+/// The groups of the definition that an item comes from.
+fn leads(
+    text: &str,
+    defined: Option<Role>,
+    definitions: &Definitions,
+    with_comments: bool,
+) -> Vec<(usize, Lead)> {
+    let Some(Role::Function(function)) = defined else { return Vec::new() };
+    let definition = definitions.get(&function);
+    definition.map(|definition| groups::leads(text, definition, with_comments)).unwrap_or_default()
+}
+
+/// Writes an item's text, with what leads groups of its lines.
+fn lay_out(text: &str, leads: &[(usize, Lead)], out: &mut String) {
+    let mut lines = Lines { out, is_behind_blank: false, is_behind_brace: false };
+    let mut leads = leads.iter().peekable();
+    for (i, line) in text.lines().enumerate() {
+        if let Some((_, lead)) = leads.next_if(|(led, _)| *led == i) {
+            lines.lead(lead, line);
         }
-        None => item,
+        lines.push(line.trim_end());
     }
 }
 
-/// The item under its doc comment, and whether it is a single line.
-fn lay_out(module: &Module, item: &Item, with_docs: bool) -> (String, bool) {
-    let mut text = match item.defines {
-        Some(role) if with_docs => docs::item(module, role),
-        _ => String::new(),
-    };
-    let is_documented = !text.is_empty();
-    let mut lines = 0;
-    let mut blanks = 0;
-    for line in item.text.trim().lines().map(str::trim_end) {
-        // Writers leave blank lines in bodies; one at a time is kept.
-        blanks = if line.is_empty() { blanks + 1 } else { 0 };
-        if blanks < 2 {
-            text.push_str(&wrap(line));
-            text.push('\n');
-            lines += 1;
+/// The lines of an item, as they are written.
+struct Lines<'o> {
+    out: &'o mut String,
+    is_behind_blank: bool,
+    /// Whether the last line that is not blank opens a block.
+    is_behind_brace: bool,
+}
+
+impl Lines<'_> {
+    fn push(&mut self, line: &str) {
+        if line.is_empty() {
+            // Writers leave blank lines in bodies; one at a time is kept.
+            self.out.push_str(if self.is_behind_blank { "" } else { "\n" });
+            self.is_behind_blank = true;
+            return;
+        }
+        (self.is_behind_blank, self.is_behind_brace) = (false, line.ends_with('{'));
+        self.out.push_str(&wrap(line));
+        self.out.push('\n');
+    }
+
+    /// Writes what stands before `line`.
+    fn lead(&mut self, lead: &Lead, line: &str) {
+        if lead.is_blank && !self.is_behind_brace {
+            self.push("");
+        }
+        let indent = &line[..line.len() - line.trim_start().len()];
+        for comment in &lead.comment {
+            self.push(format!("{indent}// {comment}").trim_end());
         }
     }
-    (text, !is_documented && lines == 1)
 }
 
 fn header(module: &Module, target: Target, options: &Options) -> String {
