@@ -161,7 +161,7 @@ pub fn words_in_any_case() -> impl Iterator<Item = &'static str> {
 }
 
 fn is_word_in_any_case(name: &str) -> bool {
-    words_in_any_case().any(|word| word.eq_ignore_ascii_case(name))
+    words::HLSL_ANY_CASE.iter().any(|word| word.len() == name.len() && word.eq_ignore_ascii_case(name))
 }
 
 fn check_spelling(name: &str) -> Result<(), NameError> {

@@ -100,9 +100,21 @@ pub(super) fn without_links(line: &str) -> Cow<'_, str> {
     // All bytes are looked at, many at once.
     let is_linked = |two| matches!(two, (b'[', b'`') | (b'`', b']'));
     match two.fold(false, |found, (&first, &second)| found | is_linked((first, second))) {
-        true => line.replace("[`", "`").replace("`]", "`").into(),
+        true => unlinked(line).into(),
         false => line.into(),
     }
+}
+
+/// A line without brackets around code.
+fn unlinked(line: &str) -> String {
+    let mut out = String::with_capacity(line.len());
+    let mut rest = line;
+    while let Some((before, behind)) = rest.split_once('`') {
+        out.push_str(before.strip_suffix('[').unwrap_or(before));
+        out.push('`');
+        rest = behind.strip_prefix(']').unwrap_or(behind);
+    }
+    out + rest
 }
 
 /// Front ends keep the comment marks, definitions do not.

@@ -60,7 +60,7 @@ pub(super) fn leads(text: &str, def: &'static FunctionDef, with_comments: bool) 
 
 /// The kinds of statements, with the lines of the text.
 fn kinds<'t>(text: &'t str, statements: &Statements) -> Kinds<'t> {
-    let mut kinds = Kinds::default();
+    let mut kinds = Kinds::with_capacity_and_hasher(statements.len(), Default::default());
     for (i, (kind, _)) in statements.iter().enumerate() {
         kinds.entry(*kind).or_default().statements.push(i);
     }

@@ -40,7 +40,9 @@ impl<'a> Renamer<'a> {
     ) -> Result<Self, ClashError> {
         let module_wide = marks.iter().filter(|m| m.role.is_module_wide());
         let declared: HashSet<&str> = module_wide.map(|m| m.exact.as_str()).collect();
-        let mut taken: Taken<'a> = declared.iter().map(|&name| Cow::Borrowed(name)).collect();
+        let mut taken: Taken<'a> =
+            HashSet::with_capacity_and_hasher(declared.len() + words.len(), Default::default());
+        taken.extend(declared.iter().map(|&name| Cow::Borrowed(name)));
         let is_others = |w: &&Word<'_>| w.mark.is_none() && scope::helper(w.text).is_none();
         for word in words.iter().filter(|word| word.is_free).filter(is_others) {
             if declared.contains(word.spelled.as_ref()) && word.text.contains(PREFIX) {
@@ -85,8 +87,8 @@ impl<'a> Renamer<'a> {
     }
 
     fn text(&self, pieces: &[Piece<'_>]) -> String {
-        let length: usize = pieces.iter().map(|piece| piece.text.len()).sum();
-        let mut text = String::with_capacity(length);
+        // Names are about as long as marks, and pieces have three characters or so.
+        let mut text = String::with_capacity(4 * pieces.len());
         pieces.iter().for_each(|piece| text.push_str(self.name(piece)));
         text
     }

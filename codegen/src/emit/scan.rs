@@ -63,16 +63,12 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
 /// Makes attributes opaque: `@builtin(x)` and `register(b0)` name nothing that a user declares.
 fn hide_attributes(pieces: &mut [Piece<'_>]) {
     let mut depth = None;
-    for i in 0..pieces.len() {
-        // Most pieces are no part of one.
-        if depth.is_none() && !pieces[i].is_word() {
-            continue;
-        }
-        let behind = i.checked_sub(1).map(|j| pieces[j].text);
-        let piece = &mut pieces[i];
+    let mut is_behind_at = false;
+    for piece in pieces {
+        let is_begin = is_behind_at || piece.is_word() && piece.text == "register";
+        is_behind_at = piece.text == "@";
         depth = match (depth, piece.text) {
-            (None, "register") => Some(0),
-            (None, _) if behind == Some("@") => Some(0),
+            (None, _) if is_begin => Some(0),
             (Some(0), "(") => Some(1),
             // An attribute without parentheses is over.
             (None | Some(0), _) => None,
@@ -87,43 +83,67 @@ fn hide_attributes(pieces: &mut [Piece<'_>]) {
     }
 }
 
+/// What a byte begins.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Begin {
+    Word,
+    Number,
+    Blanks,
+    Mark,
+    /// What more than one byte tells.
+    Other,
+}
+
+/// What each byte begins.
+const BEGINS: [Begin; 256] = {
+    let mut table = [Begin::Other; 256];
+    let mut byte = b' ';
+    while byte <= b'~' {
+        table[byte as usize] = match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'_' => Begin::Word,
+            b'0'..=b'9' => Begin::Number,
+            b' ' => Begin::Blanks,
+            b'/' | b'#' | b'"' => Begin::Other,
+            _ => Begin::Mark,
+        };
+        byte += 1;
+    }
+    table[b'\n' as usize] = Begin::Blanks;
+    table
+};
+
 /// Kind and length of the piece that `rest` begins with, whose first byte is given.
 fn measure(rest: &str, first: u8) -> (PieceKind, usize) {
-    let is_word = |byte: u8| WORD[usize::from(byte)];
-    let length = match first {
-        b'a'..=b'z' | b'A'..=b'Z' | b'_' => return (PieceKind::Word, run(rest, is_word)),
-        b'0'..=b'9' => return (PieceKind::Opaque, run(rest, |byte| is_word(byte) || byte == b'.')),
-        b' ' | b'\n' => return (PieceKind::Space, run(rest, |byte| matches!(byte, b' ' | b'\n'))),
-        b'/' if rest.starts_with("//") => rest.find('\n'),
-        b'#' => rest.find('\n'),
-        b'/' if rest.starts_with("/*") => rest.find("*/").map(|i| i + 2),
-        b'"' => string_length(rest),
-        _ => return single(rest),
+    let begin = |byte: u8| BEGINS[usize::from(byte)];
+    let is_word = |byte: u8| matches!(begin(byte), Begin::Word | Begin::Number);
+    match begin(first) {
+        Begin::Word => (PieceKind::Word, run(rest, is_word)),
+        Begin::Number => (PieceKind::Opaque, run(rest, |byte| is_word(byte) || byte == b'.')),
+        Begin::Blanks => (PieceKind::Space, run(rest, |byte| begin(byte) == Begin::Blanks)),
+        Begin::Mark => (PieceKind::Mark, 1),
+        Begin::Other => measure_other(rest),
+    }
+}
+
+/// How many bytes at the beginning are of a kind; the first is.
+fn run(rest: &str, is_kept: impl Fn(u8) -> bool) -> usize {
+    rest.bytes().skip(1).position(|byte| !is_kept(byte)).map_or(rest.len(), |end| end + 1)
+}
+
+/// A comment, a string, a line of the preprocessor, or a blank or mark that is no such byte.
+fn measure_other(rest: &str) -> (PieceKind, usize) {
+    let length = match rest.as_bytes() {
+        [b'#', ..] | [b'/', b'/', ..] => rest.find('\n'),
+        [b'/', b'*', ..] => rest.find("*/").map(|i| i + 2),
+        [b'"', ..] => string_length(rest),
+        _ => {
+            let first = rest.chars().next().unwrap_or_default();
+            let kind = if first.is_whitespace() { PieceKind::Space } else { PieceKind::Mark };
+            return (kind, first.len_utf8());
+        }
     };
     (PieceKind::Opaque, length.unwrap_or(rest.len()))
 }
-
-/// How many bytes at the beginning are of a kind.
-fn run(rest: &str, is_kept: impl Fn(u8) -> bool) -> usize {
-    rest.bytes().position(|byte| !is_kept(byte)).unwrap_or(rest.len())
-}
-
-/// A blank or a mark of one character.
-fn single(rest: &str) -> (PieceKind, usize) {
-    let first = rest.chars().next().unwrap_or_default();
-    (if first.is_whitespace() { PieceKind::Space } else { PieceKind::Mark }, first.len_utf8())
-}
-
-/// The bytes that words consist of.
-const WORD: [bool; 256] = {
-    let mut table = [false; 256];
-    let mut byte = 0u8;
-    while byte < 128 {
-        table[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
-        byte += 1;
-    }
-    table
-};
 
 fn string_length(rest: &str) -> Option<usize> {
     let mut escaped = true;

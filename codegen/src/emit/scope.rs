@@ -21,7 +21,7 @@ pub(super) fn locals<'a>(
     taken: &Taken<'a>,
 ) -> Vec<(u32, Cow<'a, str>)> {
     let mut wanted = Vec::new();
-    let mut used: HashSet<Cow<'a, str>> = HashSet::default();
+    let mut used: HashSet<Cow<'a, str>> = HashSet::with_capacity_and_hasher(item.len(), Default::default());
     for &number in item {
         let word = words.at(number);
         if let Some(wish) = wish(word, body) {

@@ -22,21 +22,22 @@ struct Mender<'a> {
 }
 
 impl<'a> Mender<'a> {
-    fn take(&mut self, pieces: &[Piece<'a>]) {
-        let mut at = 0;
-        while let Some(piece) = pieces.get(at) {
-            let rest = &pieces[at..];
-            let taken = match piece.text.as_bytes() {
-                b"const" => self.qualifier(),
-                b"static" => self.declaration(rest),
-                b"[" => self.index(rest),
-                _ => None,
+    fn take(&mut self, mut pieces: &[Piece<'a>]) {
+        let is_begin = |piece: &Piece<'_>| matches!(piece.text, "[" | "const" | "static");
+        while let Some(at) = pieces.iter().position(is_begin) {
+            let (before, rest) = pieces.split_at(at);
+            self.out.extend_from_slice(before);
+            let taken = match rest[0].text {
+                "[" => self.index(rest),
+                "const" => self.qualifier(),
+                _ => self.declaration(rest),
             };
             if taken.is_none() {
-                self.out.push(*piece);
+                self.out.push(rest[0]);
             }
-            at += taken.unwrap_or(1);
+            pieces = &rest[taken.unwrap_or(1)..];
         }
+        self.out.extend_from_slice(pieces);
     }
 
     /// Takes a `const` that begins a line within a function: naga makes those constant that hold the result of a call.

@@ -12,6 +12,7 @@ use crate::emit::tidy::collect_calls;
 use crate::emit::words::Words;
 use naga::FastHashSet as HashSet;
 use naga::{Expression, Function, Handle, Module, TypeInner};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The pieces of `function` with its temporaries in their places; `pure` are the [functions of values](of_values).
@@ -24,7 +25,7 @@ pub(super) fn inline<'a>(
     let movable = movable(function, pure);
     let lines = lines(pieces);
     let uses = uses(pieces, &lines, &movable);
-    let mut text = Text { pieces, words, pure, movable, lines, uses, moved: vec![0; pieces.len()] };
+    let mut text = Text { pieces, words, pure, movable, lines, uses, moved: BTreeMap::new() };
     for i in 0..text.lines.len() {
         if let Some(to) = text.target(i) {
             text.put(i, to);
@@ -53,11 +54,9 @@ fn uses(pieces: &[Piece<'_>], lines: &[Line], movable: &[bool]) -> Vec<Use> {
     let mut uses = vec![Use::default(); movable.len()];
     for (i, line) in lines.iter().enumerate() {
         let declared = line.declares.and_then(|it| it.name);
-        for piece in line.pieces.clone() {
-            let Some(temporary) = temporary(&pieces[piece]).filter(|_| declared != Some(piece)) else {
-                continue;
-            };
-            if let Some(found) = uses.get_mut(temporary) {
+        let words = line.pieces.clone().filter(|&at| pieces[at].kind == PieceKind::Word);
+        for (piece, temporary) in words.filter_map(|at| Some((at, temporary(&pieces[at])?))) {
+            if let Some(found) = uses.get_mut(temporary).filter(|_| declared != Some(piece)) {
                 *found = Use { count: found.count + 1, last: Place { line: i, piece } };
             }
         }
@@ -84,8 +83,8 @@ struct Text<'p, 'a> {
     movable: Vec<bool>,
     lines: Vec<Line>,
     uses: Vec<Use>,
-    /// For each piece the line whose value stands there now, counted from 1.
-    moved: Vec<u32>,
+    /// The line whose value stands in the place of a piece now.
+    moved: BTreeMap<usize, usize>,
 }
 
 impl<'a> Text<'_, 'a> {
@@ -119,30 +118,25 @@ impl<'a> Text<'_, 'a> {
 
     /// Moves the value of line `i`.
     fn put(&mut self, i: usize, to: Place) {
-        self.moved[to.piece] = i as u32 + 1;
+        self.moved.insert(to.piece, i);
         self.lines[i].is_gone = true;
     }
 
     /// Whether a line declares a value, and no call in it changes anything.
     fn is_pure(&self, line: &Line) -> bool {
-        line.value().is_some_and(|mut value| value.all(|piece| self.is_harmless(piece)))
+        line.value().is_some_and(|value| {
+            let mut moved = self.moved.range(value.clone());
+            moved.all(|(_, &line)| self.is_pure(&self.lines[line]))
+                && self.pieces[value].iter().all(|piece| self.is_harmless(piece))
+        })
     }
 
-    /// Whether what a piece names, or what has moved there, changes nothing.
-    fn is_harmless(&self, at: usize) -> bool {
-        if let Some(line) = self.moved_to(at) {
-            return self.is_pure(line);
-        }
-        let piece = &self.pieces[at];
+    /// Whether what a piece names changes nothing.
+    fn is_harmless(&self, piece: &Piece<'_>) -> bool {
         match self.words.of(piece).and_then(|word| word.role()) {
             Some(Role::Function(callee)) => self.pure[callee.index()],
             _ => !matches!(piece.text, "{" | "}"),
         }
-    }
-
-    /// The line whose value stands in the place of a piece.
-    fn moved_to(&self, piece: usize) -> Option<&Line> {
-        (self.moved[piece] as usize).checked_sub(1).map(|line| &self.lines[line])
     }
 
     fn written(&self) -> Vec<Piece<'a>> {
@@ -160,12 +154,13 @@ impl<'a> Text<'_, 'a> {
 
     /// Writes pieces, and in their place what has moved there.
     fn write(&self, pieces: Range<usize>, out: &mut Vec<Piece<'a>>) {
-        for piece in pieces {
-            match self.moved_to(piece).and_then(Line::value) {
-                Some(value) => self.write(value, out),
-                None => out.push(self.pieces[piece]),
-            }
+        let mut from = pieces.start;
+        for (&piece, &line) in self.moved.range(pieces.clone()) {
+            out.extend_from_slice(&self.pieces[from..piece]);
+            self.write(self.lines[line].value().unwrap_or_default(), out);
+            from = piece + 1;
         }
+        out.extend_from_slice(&self.pieces[from..pieces.end]);
     }
 }
 
