@@ -97,7 +97,7 @@ fn spell(index: usize) -> String {
     }
     let mut name = String::with_capacity(LENGTH);
     name.push_str(PREFIX);
-    name.extend(letters.map(char::from));
+    name.push_str(std::str::from_utf8(&letters).unwrap_or_default());
     name
 }
 

@@ -6,6 +6,7 @@
 //!   function with an argument `x` gets `x_1`, and `x2` becomes `x2_`.
 //!   So a copy of the module is written in which everything has a unique name of ours ([`mark`]),
 //!   and the tokens of the text are then renamed, scope by scope, to the declared names ([`rename`]).
+//!   The text is cut into tokens once ([`scan`]), its [`words`] are looked up once, and all that follows works on these.
 //!   What cannot keep its name is refused beforehand ([`clash`]), never renamed silently.
 //! - **Docs.** No writer prints doc comments: [`docs`].
 //! - **Ease.** They give each call a variable and each operation parentheses: [`readable`].

@@ -67,6 +67,9 @@ fn hide_attributes(pieces: &mut [Piece<'_>]) {
     for piece in pieces {
         let is_begin = is_behind_at || piece.is_word() && piece.text == "register";
         is_behind_at = piece.text == "@";
+        if depth.is_none() && !is_begin {
+            continue;
+        }
         depth = match (depth, piece.text) {
             (None, _) if is_begin => Some(0),
             (Some(0), "(") => Some(1),

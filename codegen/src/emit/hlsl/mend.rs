@@ -23,7 +23,11 @@ struct Mender<'a> {
 
 impl<'a> Mender<'a> {
     fn take(&mut self, mut pieces: &[Piece<'a>]) {
-        let is_begin = |piece: &Piece<'_>| matches!(piece.text, "[" | "const" | "static");
+        let is_begin = |piece: &Piece<'_>| match piece.kind {
+            PieceKind::Mark => piece.text == "[",
+            PieceKind::Word => matches!(piece.text, "const" | "static"),
+            PieceKind::Selector | PieceKind::Opaque | PieceKind::Space => false,
+        };
         while let Some(at) = pieces.iter().position(is_begin) {
             let (before, rest) = pieces.split_at(at);
             self.out.extend_from_slice(before);
