@@ -7,6 +7,7 @@ use lobe_codegen::lower::LowerError;
 use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
+use lobe_tests::figures::rectangles::SheetError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::overhead::OverheadError;
@@ -92,6 +93,8 @@ pub(crate) enum Fail {
     Scene { path: PathBuf, cause: SceneError },
     #[error(transparent)]
     Picture(#[from] FileError),
+    #[error(transparent)]
+    Sheet(#[from] SheetError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
 }
@@ -140,6 +143,7 @@ impl Fail {
             | Self::Bench(_)
             | Self::Overhead(_)
             | Self::Picture(_)
+            | Self::Sheet(_)
             | Self::Defect(_) => 1,
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::fail::{Fail, Outcome};
 use crate::output;
+use lobe_tests::figures::rectangles::{self, Sheet};
 use lobe_tests::figures::svg;
 use lobe_tests::figures::theme::Theme;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -24,12 +25,18 @@ pub(crate) struct Args {
     /// Leave the PNG files out
     #[arg(long)]
     no_png: bool,
+    /// Render the sheets of pictures instead, of the scenes in this folder
+    #[arg(long, value_name = "SCENES", conflicts_with = "no_png")]
+    pictures: Option<PathBuf>,
 }
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let fail = |cause| Fail::Write { path: args.folder.clone(), cause };
     std::fs::create_dir_all(&args.folder).map_err(fail)?;
+    if let Some(scenes) = &args.pictures {
+        return pictures(&args.folder, scenes);
+    }
     let painter = Painter::new();
     for figure in lobe_tests::figures::all()? {
         for theme in Theme::ALL {
@@ -42,6 +49,26 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         }
     }
     Ok(Outcome::Holds)
+}
+
+/// Writes the sheets.
+fn pictures(folder: &Path, scenes: &Path) -> Result<Outcome, Fail> {
+    for sheet in rectangles::sheets(scenes)? {
+        let png = rgb(&sheet).map_err(|e| Fail::Defect(format!("a sheet cannot be written: {e}")))?;
+        write(&folder.join(sheet.name).with_extension("png"), &png)?;
+    }
+    Ok(Outcome::Holds)
+}
+
+fn rgb(sheet: &Sheet) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, sheet.size[0], sheet.size[1]);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&sheet.pixels)?;
+    writer.finish()?;
+    Ok(bytes)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Fail> {

@@ -106,7 +106,6 @@ pub fn rect_pixel_matt(bounce: RectBounce) -> Vec3 {
 /// What the pixel's diffuse lobe reflects of a disk's lobe about `axis`.
 #[kernel]
 pub fn rect_pixel_diffuse(bounce: RectBounce, axis: Vec3, shade: RectShade) -> Vec3 {
-    // As printed, the bandwidths of a disk that is wide against its distance are negative.
     let lambda = max(shade.lambda, 0.0);
     let mu = max(shade.mu, 0.0);
     let value = rect_diffuse_glossy(axis, lambda, mu, shade.energy, bounce.seen.normal, 1.0);
@@ -117,8 +116,10 @@ pub fn rect_pixel_diffuse(bounce: RectBounce, axis: Vec3, shade: RectShade) -> V
 #[kernel]
 pub fn rect_pixel_of_shade(bounce: RectBounce, axis: Vec3, shade: RectShade) -> RectPixel {
     let colour = rect_reflector_colour(bounce, axis) * rect_receiver_colour(bounce, axis);
+    // As printed, the bandwidths of a disk that is wide against its distance are negative: there is no lobe.
+    let radiance = select(0.0, shade.radiance, min(shade.lambda, shade.mu) >= 0.0);
     RectPixel {
-        specular: shade.radiance * colour,
+        specular: radiance * colour,
         diffuse: rect_pixel_diffuse(bounce, axis, shade),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
     }

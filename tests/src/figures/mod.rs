@@ -11,6 +11,7 @@ mod convolution;
 mod falloff;
 pub mod plot;
 pub mod quadrature;
+pub mod rectangles;
 mod steepness;
 pub mod svg;
 pub mod theme;

@@ -70,7 +70,8 @@ pub fn auto_exposure(picture: &Picture) -> f32 {
 }
 
 /// A linear value by the transfer function of sRGB, IEC 61966-2-1.
-fn encoded(linear: f32) -> u8 {
+#[must_use]
+pub fn encoded(linear: f32) -> u8 {
     let x = linear.clamp(0.0, 1.0);
     let curved = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (255.0 * curved + 0.5) as u8

@@ -11,7 +11,7 @@ mod method;
 mod picture;
 mod upload;
 
-pub use file::{FileError, auto_exposure, exr, png};
+pub use file::{FileError, auto_exposure, encoded, exr, png};
 pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
 pub use picture::{Layer, Picture};

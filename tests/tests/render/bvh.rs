@@ -49,7 +49,7 @@ fn place(rng: &mut Rng, size: f32) -> Vec3 {
 fn soup(rng: &mut Rng, count: u32) -> Vec<Triangle> {
     let triangle = |surface: u32| {
         let a = place(rng, 10.0);
-        let size = if surface % 7 == 0 { 5.0 } else { 0.5 };
+        let size = if surface.is_multiple_of(7) { 5.0 } else { 0.5 };
         let (b, c) = (a + place(rng, size), a + place(rng, size));
         match surface % 11 {
             0 => Triangle { a: a.with_y(1.0), surface, b: b.with_y(1.0), c: c.with_y(1.0) },
@@ -65,9 +65,9 @@ fn soup(rng: &mut Rng, count: u32) -> Vec<Triangle> {
 fn rays(rng: &mut Rng, count: u32) -> Vec<SceneRay> {
     let ray = |at: u32| {
         let axis = [Vec3::X, Vec3::NEG_Y, Vec3::Z][at as usize % 3];
-        let dir = if at % 5 == 0 { axis } else { place(rng, 1.0).normalize_or(Vec3::X) };
-        let reach = if at % 4 == 0 { 4.0 } else { 1e30 };
-        let leaving = if at % 3 == 0 { at % 100 } else { NOWHERE };
+        let dir = if at.is_multiple_of(5) { axis } else { place(rng, 1.0).normalize_or(Vec3::X) };
+        let reach = if at.is_multiple_of(4) { 4.0 } else { 1e30 };
+        let leaving = if at.is_multiple_of(3) { at % 100 } else { NOWHERE };
         SceneRay { origin: place(rng, 12.0), reach, dir, leaving, reaching: NOWHERE }
     };
     (0..count).map(ray).collect()
@@ -95,7 +95,8 @@ fn the_tree_finds_what_trying_every_triangle_finds() {
 fn a_closed_box_has_no_gaps() {
     let corner = |i: usize| Vec3::from_array([0, 1, 2].map(|k| if i >> k & 1 == 1 { 1.0 } else { -0.7 }));
     let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    let triangle = |surface: u32, [a, b, c]: [usize; 3]| Triangle { a: corner(a), surface, b: corner(b), c: corner(c) };
+    let triangle =
+        |surface: u32, [a, b, c]: [usize; 3]| Triangle { a: corner(a), surface, b: corner(b), c: corner(c) };
     let halves = |(at, [a, b, c, d]): (u32, [usize; 4])| [triangle(at, [a, b, c]), triangle(at, [a, c, d])];
     let triangles: Vec<Triangle> = (0..).zip(sides).flat_map(halves).collect();
     let mut rng = Rng::new(5, "box");

@@ -24,7 +24,8 @@ fn scene(name: &str) -> Scene {
 /// Its picture on the interpreter.
 fn picture(scene: &Scene, method: Method, samples: u32) -> Picture {
     let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
-    let proxies = proxies::proxies(scene, &Options::default()).unwrap_or_else(|e| panic!("{}: {e}", scene.name));
+    let proxies =
+        proxies::proxies(scene, &Options::default()).unwrap_or_else(|e| panic!("{}: {e}", scene.name));
     let settings = Settings { method, samples, ..Settings::default() };
     let made = renderer.render(scene, &proxies, &settings, &mut Interpreted::default(), &|_| {});
     made.unwrap_or_else(|e| panic!("{}, {method}: {e}", scene.name))

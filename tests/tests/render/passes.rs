@@ -10,7 +10,8 @@ fn every_pass_is_emitted_for_every_target() {
     for pass in PASSES {
         let module = lobe_codegen::lower(&[*pass]).unwrap_or_else(|e| panic!("{e}"));
         for target in Target::ALL {
-            emit(&module, target, &Options::default()).unwrap_or_else(|e| panic!("{}, {target}: {e}", pass().name));
+            emit(&module, target, &Options::default())
+                .unwrap_or_else(|e| panic!("{}, {target}: {e}", pass().name));
         }
         assert!(!pass().docs.is_empty(), "{} has no doc comment", pass().name);
     }

@@ -45,7 +45,8 @@ fn luminance_of(rgb: [f64; 3]) -> f64 {
 
 /// Mean luminance and its standard error in a block.
 fn block(pixels: &[Vec3], errors: Option<&[Vec3]>, at: usize) -> (f64, f64) {
-    let places = (0..BLOCK * BLOCK).map(|i| (at / BLOCKS * BLOCK + i / BLOCK) * SIDE + at % BLOCKS * BLOCK + i % BLOCK);
+    let places = (0..BLOCK * BLOCK)
+        .map(|i| (at / BLOCKS * BLOCK + i / BLOCK) * SIDE + at % BLOCKS * BLOCK + i % BLOCK);
     let count = (BLOCK * BLOCK) as f64;
     let sum: f64 = places.clone().map(|i| f64::from(luminance(pixels[i]))).sum();
     let variance: f64 = places.map(|i| errors.map_or(0.0, |e| f64::from(e[i].x).powi(2))).sum();
@@ -60,10 +61,14 @@ fn check(name: &str, samples: u32) {
         let errors = found.layer(&format!("se_{layer}"));
         let wanted = luminance_of(kept.mean);
         if let Some(errors) = errors {
-            let own: f64 = errors.iter().map(|e| f64::from(e.x).powi(2)).sum::<f64>().sqrt() / errors.len() as f64;
+            let own: f64 =
+                errors.iter().map(|e| f64::from(e.x).powi(2)).sum::<f64>().sqrt() / errors.len() as f64;
             let permitted = 0.005 * wanted + 4.0 * own.hypot(kept.error.unwrap_or(0.0));
             let gap = mean(pixels) - wanted;
-            assert!(gap.abs() <= permitted, "{name}, {layer}: {gap:e} of {wanted:e} off, {permitted:e} permitted");
+            assert!(
+                gap.abs() <= permitted,
+                "{name}, {layer}: {gap:e} of {wanted:e} off, {permitted:e} permitted"
+            );
         }
         if layer.contains("fromspec") {
             continue;
@@ -71,7 +76,10 @@ fn check(name: &str, samples: u32) {
         for (at, wanted_here) in kept.blocks.iter().enumerate() {
             let (here, own) = block(pixels, errors, at);
             let permitted = 0.02 * wanted + 0.02 * wanted_here + 5.0 * own;
-            assert!((here - wanted_here).abs() <= permitted, "{name}, {layer}, block {at}: {here:e} for {wanted_here:e}");
+            assert!(
+                (here - wanted_here).abs() <= permitted,
+                "{name}, {layer}, block {at}: {here:e} for {wanted_here:e}"
+            );
         }
     }
 }
@@ -120,12 +128,12 @@ fn methods_are_as_far_from_the_reference_as_documented() {
 
 /// Scene; `rect`, `rect-laplace-single`, `rect-laplace`.
 const MEASURED: [(&str, f64, f64, f64); 8] = [
-    ("cornell_L0", 0.0, 0.0, 0.0),
-    ("cornell_L1", 0.0, 0.0, 0.0),
-    ("cornell_L2", 0.0, 0.0, 0.0),
-    ("cornell_L3", 0.0, 0.0, 0.0),
-    ("plates_a005", 0.0, 0.0, 0.0),
-    ("plates_a010", 0.0, 0.0, 0.0),
-    ("plates_a020", 0.0, 0.0, 0.0),
-    ("plates_a040", 0.0, 0.0, 0.0),
+    ("cornell_L0", 1.053, 0.851, 0.947),
+    ("cornell_L1", 0.261, 0.547, 0.963),
+    ("cornell_L2", 1.143, 0.757, 0.904),
+    ("cornell_L3", 0.164, 0.609, 0.846),
+    ("plates_a005", 0.736, 0.933, 0.999),
+    ("plates_a010", 1.016, 0.843, 1.012),
+    ("plates_a020", 1.121, 0.794, 0.873),
+    ("plates_a040", 1.075, 0.820, 0.930),
 ];

@@ -29,7 +29,8 @@ fn check(name: &str, method: Method, size: [u32; 2]) {
         assert!(verdict.words > 0, "{verdict:?}");
         assert!(verdict.holds(), "{name}, {method}: {verdict:?}");
         let others = verdict.disagrees_with.iter().chain([&verdict.route]);
-        let is_known = verdict.disagrees_with.is_empty() || others.clone().any(|route| route.starts_with(DIFFERS));
+        let is_known =
+            verdict.disagrees_with.is_empty() || others.clone().any(|route| route.starts_with(DIFFERS));
         assert!(is_known, "{name}, {method}: {verdict:?}");
     }
 }
