@@ -2,7 +2,7 @@
 //! test says so.
 
 use crate::rect::{
-    angle, attenuation, chain, diffuse, disk, energy, laplace, light, pass, peak, reflection, shade,
+    angle, attenuation, chain, diffuse, disk, energy, field, laplace, light, pass, peak, reflection, shade,
 };
 use crate::{asg, brdf, filter, hsg, reference, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
@@ -225,6 +225,8 @@ pub const PASSES: &[FunctionRef] = &kernels![
     pass::rect_laplace_pass,
     pass::rect_laplace_single_pass,
     pass::rect_laplace_fast_pass,
+    field::field_pass,
+    field::rect_field_pass,
     reference::pass::bounce_sample_pass,
     reference::pass::bounce_mean_pass,
 ];

@@ -7,7 +7,7 @@ use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_tests::proxies::{self, Options, Proxies};
 use lobe_tests::render::{
-    Judged, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr, png, summary,
+    Judged, LightField, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr, png, summary,
 };
 use lobe_tests::scene::{Choices, Scene, SceneError};
 use std::path::{Path, PathBuf};
@@ -58,6 +58,12 @@ pub(crate) struct Args {
     /// Radius of the sampling disk of rectangles, over alpha and distance
     #[arg(long, default_value_t = 3.0, value_parser = factor)]
     radius_factor: f32,
+    /// Shade by a light-field texture with so many texels along a side of each surface (`rect-laplace`)
+    #[arg(long, value_name = "TEXELS", conflicts_with_all = ["check", "method"], value_parser = clap::value_parser!(u32).range(1..=1024))]
+    field: Option<u32>,
+    /// Rectangles that a texel lists
+    #[arg(long, default_value_t = 8, requires = "field", value_parser = clap::value_parser!(u32).range(1..=8))]
+    field_ids: u32,
     /// Stops by which the PNG is brightened; chosen by the picture if not given
     #[arg(long, allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f32>,
@@ -169,6 +175,10 @@ fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
     let proxies = proxies(args, scene)?;
     let bar: ProgressBar = output::progress(STEPS);
     let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
+    if let Some(side) = args.field {
+        let mut field = LightField::new(side, args.field_ids);
+        return Ok(renderer.render_by_field(scene, &proxies, &mut field, dispatcher.as_mut())?);
+    }
     let picture = renderer.render(scene, &proxies, &settings(args), dispatcher.as_mut(), &progress)?;
     bar.finish_and_clear();
     Ok(picture)

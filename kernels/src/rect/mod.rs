@@ -40,6 +40,7 @@ pub mod chain;
 pub mod diffuse;
 pub mod disk;
 pub mod energy;
+pub mod field;
 pub mod laplace;
 pub mod light;
 pub mod pass;

@@ -5,12 +5,14 @@
 
 mod bounce;
 pub mod bvh;
+mod field;
 mod file;
 mod judged;
 mod method;
 mod picture;
 mod upload;
 
+pub use field::LightField;
 pub use file::{FileError, auto_exposure, encoded, exr, png};
 pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
@@ -77,11 +79,40 @@ impl Renderer {
         dispatcher: &mut dyn Dispatcher<'p>,
         progress: &dyn Fn(f32),
     ) -> Result<Picture, ExecError> {
+        self.frame(scene, proxies, settings, None, dispatcher, progress)
+    }
+
+    /// The same by the rectangles that `field` lists, with [`Method::RectLaplace`].
+    ///
+    /// # Errors
+    /// As of [`Renderer::render`].
+    pub fn render_by_field<'p>(
+        &'p self,
+        scene: &Scene,
+        proxies: &Proxies,
+        field: &mut LightField,
+        dispatcher: &mut dyn Dispatcher<'p>,
+    ) -> Result<Picture, ExecError> {
+        self.frame(scene, proxies, &Settings::default(), Some(field), dispatcher, &|_| {})
+    }
+
+    fn frame<'p>(
+        &'p self,
+        scene: &Scene,
+        proxies: &Proxies,
+        settings: &Settings,
+        field: Option<&mut LightField>,
+        dispatcher: &mut dyn Dispatcher<'p>,
+        progress: &dyn Fn(f32),
+    ) -> Result<Picture, ExecError> {
         let mut frame = Frame::new(&self.pipeline, Uploaded::new(scene, proxies), settings, dispatcher)?;
         frame.see()?;
         let mut picture = frame.direct()?;
         let indirect = match (settings.method, settings.method.rect_pass()) {
-            (_, Some(pass)) => frame.rectangles(pass, &mut picture)?,
+            (_, Some(pass)) => match field {
+                Some(field) => frame.by_field(field, &mut picture)?,
+                None => frame.rectangles(pass, &mut picture)?,
+            },
             (Method::Reference, None) => frame.bounces(&mut picture, progress)?,
             (_, None) => return Ok(picture),
         };

@@ -4,6 +4,7 @@
 mod bvh;
 #[path = "../common/mod.rs"]
 mod common;
+mod field;
 mod passes;
 mod reference;
 mod routes;

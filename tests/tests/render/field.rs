@@ -1,0 +1,62 @@
+//! The light-field texture: with room for all rectangles the picture is that of all rectangles.
+
+use lobe_backends::pipeline::Interpreted;
+use lobe_codegen::glam::Vec3;
+use lobe_tests::proxies::{self, Options};
+use lobe_tests::render::{LightField, Method, Picture, Renderer};
+use lobe_tests::scene::Scene;
+
+/// A box of which five surfaces are seen, few enough for a list.
+fn small() -> Scene {
+    let mut scene = crate::scene("cornell_L0.json");
+    scene.rectangles.truncate(8);
+    scene.camera.size = [48, 48];
+    scene
+}
+
+fn by_field(renderer: &Renderer, scene: &Scene, field: &mut LightField) -> Picture {
+    let proxies = proxies::proxies(scene, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
+    let made = renderer.render_by_field(scene, &proxies, field, &mut Interpreted::default());
+    made.unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Root of the mean squared difference over the mean, of all of one bounce.
+fn error(found: &Picture, wanted: &Picture) -> f32 {
+    let sum = |p: &Picture, i: usize| -> Vec3 {
+        ["indirect_specular_fromspec_novis", "indirect_diffuse_novis"]
+            .iter()
+            .filter_map(|n| Some(p.layer(n)?[i]))
+            .sum()
+    };
+    let count = wanted.radiance.len();
+    let squares: f32 = (0..count).map(|i| (sum(found, i) - sum(wanted, i)).length_squared()).sum();
+    let mean: f32 = (0..count).map(|i| sum(wanted, i).element_sum()).sum::<f32>() / count as f32;
+    (squares / count as f32).sqrt() / mean
+}
+
+#[test]
+fn with_room_for_all_the_picture_is_that_of_all() {
+    let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
+    let scene = small();
+    let wanted = crate::picture(&scene, Method::RectLaplace, 1);
+    let whole = error(&by_field(&renderer, &scene, &mut LightField::new(16, 8)), &wanted);
+    let two = error(&by_field(&renderer, &scene, &mut LightField::new(16, 2)), &wanted);
+    let one = error(&by_field(&renderer, &scene, &mut LightField::new(16, 1)), &wanted);
+    // The sum is in another order.
+    assert!(whole < 1e-5 && whole < two && two < one, "{whole:e} {two:e} {one:e}");
+}
+
+#[test]
+fn what_stands_still_is_kept() {
+    let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
+    let mut scene = small();
+    let mut field = LightField::new(8, 7);
+    (field.moving, field.moving_surfaces) = (1, 1);
+    by_field(&renderer, &scene, &mut field);
+    let moved = scene.rectangles.last_mut().expect("a surface");
+    moved.center += Vec3::new(0.2, 0.0, 0.3);
+    let kept = by_field(&renderer, &scene, &mut field);
+    field.forget();
+    let anew = by_field(&renderer, &scene, &mut field);
+    assert_eq!(kept, anew);
+}
