@@ -14,7 +14,6 @@ use lobe_tests::overhead::OverheadError;
 use lobe_tests::proxies::ProxiesError;
 use lobe_tests::render::FileError;
 use lobe_tests::report::merge::MergeError;
-use lobe_tests::scene::SceneError;
 use lobe_tests::throughput::BenchError;
 use lobe_tests::value::RowError;
 use std::path::PathBuf;
@@ -89,8 +88,6 @@ pub(crate) enum Fail {
     Bench(#[from] BenchError),
     #[error(transparent)]
     Overhead(#[from] OverheadError),
-    #[error("{}: {cause}", path.display())]
-    Scene { path: PathBuf, cause: SceneError },
     #[error(transparent)]
     Picture(#[from] FileError),
     #[error(transparent)]
@@ -130,7 +127,6 @@ impl Fail {
                 | ExportError::PartlyKnown { .. }
                 | ExportError::Mixed { .. },
             )
-            | Self::Scene { .. }
             | Self::Table(_) => 2,
             Self::Open(_) | Self::Missing { .. } => 3,
             Self::Exec(_)

@@ -25,6 +25,7 @@ mod render;
 mod report;
 mod route;
 mod run;
+mod scene;
 mod select;
 
 use clap::{CommandFactory, Parser, Subcommand};

@@ -2,9 +2,10 @@
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
+use crate::scene;
 use lobe_codegen::prelude::Vec3;
 use lobe_tests::proxies::{Options, proxies};
-use lobe_tests::scene::{Choices, Light, Scene, SceneError};
+use lobe_tests::scene::{Choices, Light};
 use std::path::PathBuf;
 
 /// Options.
@@ -46,16 +47,8 @@ const ANY: Light = Light::Directional { to_light: Vec3::Y, irradiance: Vec3::ONE
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
-    let name = args.scene.display();
     let choices = Choices { light: Some(ANY), ..Choices::default() };
-    let scene = Scene::open(&args.scene, &choices).map_err(|cause| match cause {
-        // It names the file, which may be another.
-        SceneError::File { .. } => Fail::Usage(cause.to_string()),
-        _ => Fail::Usage(format!("{name}: {cause}")),
-    })?;
-    for note in &scene.notes {
-        eprintln!("lobe: {name}: {note}");
-    }
+    let scene = scene::open(&args.scene, &choices)?;
     let options = Options {
         angle: args.angle.to_radians(),
         distance: args.distance,

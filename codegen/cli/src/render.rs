@@ -2,6 +2,7 @@
 
 use crate::fail::{Fail, Outcome};
 use crate::output;
+use crate::scene;
 use indicatif::ProgressBar;
 use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, OpenError, State};
@@ -9,7 +10,7 @@ use lobe_tests::proxies::{self, Options, Proxies};
 use lobe_tests::render::{
     Judged, LightField, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr, png, summary,
 };
-use lobe_tests::scene::{Choices, Scene, SceneError};
+use lobe_tests::scene::{Choices, Scene};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -99,22 +100,11 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 /// The scene in the file, in the size that is asked for.
 fn open(args: &Args) -> Result<Scene, Fail> {
     let choices = Choices { camera: args.camera.clone(), ..Choices::default() };
-    let mut scene = Scene::open(&args.scene, &choices).map_err(|cause| refused(&args.scene, cause))?;
-    for note in &scene.notes {
-        eprintln!("lobe: {}: {note}", args.scene.display());
-    }
+    let mut scene = scene::open(&args.scene, &choices)?;
     if let Some(size) = args.size {
         scene.camera.size = size;
     }
     Ok(scene)
-}
-
-fn refused(path: &Path, cause: SceneError) -> Fail {
-    match cause {
-        // It names the file itself.
-        SceneError::File { .. } => Fail::Usage(cause.to_string()),
-        cause => Fail::Scene { path: path.to_owned(), cause },
-    }
 }
 
 /// All passes on all ready routes.
@@ -173,12 +163,12 @@ fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
     let renderer = Renderer::new()?;
     let mut dispatcher = Machine::look().dispatcher(&args.route)?;
     let proxies = proxies(args, scene)?;
-    let bar: ProgressBar = output::progress(STEPS);
-    let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
     if let Some(side) = args.field {
         let mut field = LightField::new(side, args.field_ids);
         return Ok(renderer.render_by_field(scene, &proxies, &mut field, dispatcher.as_mut())?);
     }
+    let bar: ProgressBar = output::progress(STEPS);
+    let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);
     let picture = renderer.render(scene, &proxies, &settings(args), dispatcher.as_mut(), &progress)?;
     bar.finish_and_clear();
     Ok(picture)
@@ -188,7 +178,8 @@ fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
 fn proxies(args: &Args, scene: &Scene) -> Result<Proxies, Fail> {
     let Some(path) = &args.proxies else { return Ok(proxies::proxies(scene, &Options::default())?) };
     let text = std::fs::read_to_string(path).map_err(|cause| Fail::Read { path: path.clone(), cause })?;
-    let found = Proxies::from_json(&text)?;
+    let found =
+        Proxies::from_json(&text).map_err(|cause| Fail::Usage(format!("{}: {cause}", path.display())))?;
     let known = scene.materials.len();
     match found.rectangles.iter().find(|proxy| proxy.material >= known) {
         Some(proxy) => Err(Fail::Usage(format!(

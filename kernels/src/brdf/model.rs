@@ -211,3 +211,9 @@ pub fn surface_brdf(material: Material, normal: Vec3, light: Vec3, view: Vec3) -
     let diffuse = select(Vec3::ZERO, lambert_brdf(material.diffuse_albedo), is_seen);
     diffuse + microfacet_brdf(material.f0, material.f90, material.alpha, normal, light, view)
 }
+
+/// The glossy lobe of a material alone.
+#[kernel]
+pub fn glossy_part(material: Material) -> Material {
+    Material { diffuse_albedo: Vec3::ZERO, f0: material.f0, f90: material.f90, alpha: material.alpha }
+}

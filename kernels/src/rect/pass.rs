@@ -1,7 +1,7 @@
 //! Passes of the rectangle method: for each pixel, the sum over all rectangles and lights.
 //!
 //! Forward shading: nothing of the rectangles is stored for pixels. The passes differ in the function that they sum,
-//! of [`super::pixel`].
+//! of [`super::pixel`]; each is a shader of its own, so that none pays for what another needs.
 
 use crate::brdf::Material;
 use crate::rect::Rectangle;
@@ -40,203 +40,80 @@ pub fn light_share(light: SceneLight, proxy: RectProxy) -> Arriving {
     Arriving { dir: arriving.dir, dist: arriving.dist, irradiance: proxy.fill * arriving.irradiance }
 }
 
-/// The corrected method: [`rect_pixel`].
-#[kernel(workgroup_size(64))]
-pub fn rect_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] settings: &RectSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[RectProxy],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel(bounce, settings.radius_factor));
+/// A pass that sums `$pixel` over all rectangles and lights; those of the disk take `$settings` besides.
+macro_rules! rect_pass {
+    ($(#[$doc:meta])* $name:ident, $pixel:ident $(, $settings:ident)?) => {
+        $(#[$doc])*
+        #[kernel(workgroup_size(64))]
+        pub fn $name(
+            #[builtin(global_invocation_id)] id: UVec3,
+            #[storage(0, 0)] seen: &[Seen],
+            #[storage(0, 1)] surfaces: &[Surface],
+            #[storage(0, 2)] proxies: &[RectProxy],
+            #[storage(0, 3)] materials: &[Material],
+            #[storage(0, 4)] lights: &[SceneLight],
+            #[storage(0, 5)] indirect: &mut [RectPixel],
+            $(#[uniform(0, 6)] $settings: &RectSettings,)?
+        ) {
+            let i = id.x;
+            if i >= indirect.len() as u32 {
+                return;
             }
+            let pixel = seen[i as usize];
+            let mut sum = rect_pixel_dark();
+            if pixel.surface != NOWHERE {
+                let receiver = materials[surfaces[pixel.surface as usize].material as usize];
+                for k in 0..proxies.len() as u32 {
+                    let proxy = proxies[k as usize];
+                    let reflector = materials[proxy.material as usize];
+                    for l in 0..lights.len() as u32 {
+                        let arriving = light_share(lights[l as usize], proxy);
+                        let rectangle = proxy.rectangle;
+                        let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
+                        sum = rect_pixel_add(sum, $pixel(bounce $(, $settings.radius_factor)?));
+                    }
+                }
+            }
+            indirect[i as usize] = sum;
         }
-    }
-    indirect[i as usize] = sum;
+    };
 }
 
-/// The method as printed: [`rect_pixel_paper`].
-#[kernel(workgroup_size(64))]
-pub fn rect_paper_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] settings: &RectSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[RectProxy],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_paper(bounce, settings.radius_factor));
-            }
-        }
-    }
-    indirect[i as usize] = sum;
-}
+rect_pass!(
+    /// The corrected method: [`rect_pixel`].
+    rect_pass,
+    rect_pixel,
+    settings
+);
 
-/// The method with isotropic lobes: [`rect_pixel_sg`].
-#[kernel(workgroup_size(64))]
-pub fn rect_sg_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] settings: &RectSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[RectProxy],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_sg(bounce, settings.radius_factor));
-            }
-        }
-    }
-    indirect[i as usize] = sum;
-}
+rect_pass!(
+    /// The method as printed: [`rect_pixel_paper`].
+    rect_paper_pass,
+    rect_pixel_paper,
+    settings
+);
 
-/// The closed form: [`rect_pixel_laplace`].
-#[kernel(workgroup_size(64))]
-pub fn rect_laplace_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] seen: &[Seen],
-    #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[RectProxy],
-    #[storage(0, 3)] materials: &[Material],
-    #[storage(0, 4)] lights: &[SceneLight],
-    #[storage(0, 5)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_laplace(bounce));
-            }
-        }
-    }
-    indirect[i as usize] = sum;
-}
+rect_pass!(
+    /// The method with isotropic lobes: [`rect_pixel_sg`].
+    rect_sg_pass,
+    rect_pixel_sg,
+    settings
+);
 
-/// The closed form with one spot: [`rect_pixel_laplace_single`].
-#[kernel(workgroup_size(64))]
-pub fn rect_laplace_single_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] seen: &[Seen],
-    #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[RectProxy],
-    #[storage(0, 3)] materials: &[Material],
-    #[storage(0, 4)] lights: &[SceneLight],
-    #[storage(0, 5)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_laplace_single(bounce));
-            }
-        }
-    }
-    indirect[i as usize] = sum;
-}
+rect_pass!(
+    /// The closed form: [`rect_pixel_laplace`].
+    rect_laplace_pass,
+    rect_pixel_laplace
+);
 
-/// The closed form with one evaluation: [`rect_pixel_laplace_fast`].
-#[kernel(workgroup_size(64))]
-pub fn rect_laplace_fast_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] seen: &[Seen],
-    #[storage(0, 1)] surfaces: &[Surface],
-    #[storage(0, 2)] proxies: &[RectProxy],
-    #[storage(0, 3)] materials: &[Material],
-    #[storage(0, 4)] lights: &[SceneLight],
-    #[storage(0, 5)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let receiver = materials[surfaces[pixel.surface as usize].material as usize];
-        for k in 0..proxies.len() as u32 {
-            let proxy = proxies[k as usize];
-            let reflector = materials[proxy.material as usize];
-            for l in 0..lights.len() as u32 {
-                let arriving = light_share(lights[l as usize], proxy);
-                let rectangle = proxy.rectangle;
-                let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                sum = rect_pixel_add(sum, rect_pixel_laplace_fast(bounce));
-            }
-        }
-    }
-    indirect[i as usize] = sum;
-}
+rect_pass!(
+    /// The closed form with one spot: [`rect_pixel_laplace_single`].
+    rect_laplace_single_pass,
+    rect_pixel_laplace_single
+);
+
+rect_pass!(
+    /// The closed form with one evaluation: [`rect_pixel_laplace_fast`].
+    rect_laplace_fast_pass,
+    rect_pixel_laplace_fast
+);

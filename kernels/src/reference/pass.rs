@@ -5,12 +5,11 @@
 //! follow each other without end; the standard errors say when to stop.
 
 use crate::brdf::Material;
-use crate::brdf::model::{surface_brdf_cosine, surface_transfer};
+use crate::brdf::model::{glossy_part, surface_brdf_cosine, surface_transfer};
 use crate::reference::one_bounce::{OneBounce, one_bounce_density, one_bounce_sample};
 use crate::reference::random::random_pair;
 use crate::reference::rectangle::{rectangle_intersect, rectangle_is_met};
 use crate::reference::running_mean::{RunningMean, luminance, running_mean_add};
-use crate::scene::direct::glossy_part;
 use crate::scene::light::{Arriving, SceneLight, light_at, ray_to_light};
 use crate::scene::{NOWHERE, SceneRay, Seen, Surface};
 use lobe_codegen::prelude::*;

@@ -6,11 +6,11 @@ use crate::scene::triangle::{sheared_ray, triangle_distance};
 use crate::scene::{BvhNode, Hit, NOWHERE, SceneRay, Triangle};
 use lobe_codegen::prelude::*;
 
-/// Boxes that wait while another is looked into. A tree of depth `d` needs `d`.
+/// Boxes that wait while another is looked into: the length of `waiting` below. A tree of depth `d` needs `d + 1`.
 #[kernel]
 pub const BVH_DEPTH: u32 = 40;
 
-/// By how much the exit from a box is late: twice what rounding can make it early.
+/// By how much the exit from a box is late: more than the 3.5 ULP by which entry and exit may each be off.
 #[kernel]
 pub const EXIT_SLACK: f32 = 1.000004;
 

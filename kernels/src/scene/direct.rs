@@ -1,7 +1,7 @@
 //! Direct light on pixels.
 
 use crate::brdf::Material;
-use crate::brdf::model::surface_brdf_cosine;
+use crate::brdf::model::{glossy_part, surface_brdf_cosine};
 use crate::scene::light::{SceneLight, light_at, ray_to_light};
 use crate::scene::{NOWHERE, SceneRay, Seen, Surface};
 use lobe_codegen::prelude::*;
@@ -15,12 +15,6 @@ pub struct DirectPixel {
     pub unshadowed: Vec3,
     /// Of that, what the glossy lobe reflects.
     pub unshadowed_specular: Vec3,
-}
-
-/// The glossy lobe of a material alone.
-#[kernel]
-pub fn glossy_part(material: Material) -> Material {
-    Material { diffuse_albedo: Vec3::ZERO, f0: material.f0, f90: material.f90, alpha: material.alpha }
 }
 
 /// The rays from each pixel to each light, a pixel's together: a pass.

@@ -57,8 +57,9 @@ pub fn sheared_corner(ray: ShearedRay, corner: Vec3) -> Vec3 {
 /// |---|---|---|---|
 /// | `p`, `q` | ends of the edge, by [`sheared_corner`] | -1e4 ..= 1e4 | m |
 ///
-/// Returns the area; that of the edge turned around is its negative to the last bit, whether or not a driver fuses the
-/// products: so of two triangles with a common edge, one has what the other has not.
+/// Returns the area; that of the edge turned around is its negative to the last bit, since the same operations are on the
+/// same numbers, fused or not: of two triangles with a common edge, one has what the other has not. A driver may still
+/// fuse in one place and not in another.
 #[kernel]
 pub fn edge_area(p: Vec3, q: Vec3) -> f32 {
     let is_turned = p.x > q.x || (p.x == q.x && p.y > q.y);

@@ -63,7 +63,7 @@ impl Bvh {
             Item { bounds, middle: 0.5 * (bounds.low + bounds.high), index }
         };
         let mut items: Vec<Item> = triangles.iter().enumerate().map(item).collect();
-        let mut builder = Builder { nodes: vec![BvhNode::default_node()], slack };
+        let mut builder = Builder { nodes: vec![EMPTY], slack };
         builder.fill(0, 0, &mut items, 0);
         let sorted = items.iter().map(|item| triangles[item.index]).collect();
         Self { nodes: builder.nodes, triangles: sorted }
@@ -71,15 +71,7 @@ impl Bvh {
 }
 
 /// A node before it is filled in.
-trait DefaultNode {
-    fn default_node() -> Self;
-}
-
-impl DefaultNode for BvhNode {
-    fn default_node() -> Self {
-        Self { low: Vec3::ZERO, first: 0, high: Vec3::ZERO, count: 0 }
-    }
-}
+const EMPTY: BvhNode = BvhNode { low: Vec3::ZERO, first: 0, high: Vec3::ZERO, count: 0 };
 
 struct Builder {
     nodes: Vec<BvhNode>,
@@ -97,7 +89,7 @@ impl Builder {
             return;
         };
         let child = self.nodes.len();
-        self.nodes.extend([BvhNode::default_node(), BvhNode::default_node()]);
+        self.nodes.extend([EMPTY; 2]);
         self.nodes[at] = BvhNode { low, first: child as u32, high, count: 0 };
         let (left, right) = items.split_at_mut(split);
         self.fill(child, first, left, depth + 1);

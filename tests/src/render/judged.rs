@@ -7,7 +7,6 @@ use lobe_backends::executor::ExecError;
 use lobe_backends::interp::ShadowWord;
 use lobe_backends::pipeline::{Dispatcher, Interpreted, Memory, Pass};
 use lobe_backends::route::Route;
-use std::collections::BTreeMap;
 
 /// Runs passes on the interpreter, and besides on other routes for comparison.
 pub struct Judged<'p> {
@@ -149,19 +148,14 @@ fn share(error: f64, bound: f64) -> f64 {
 /// The worst of each pass and route, in the order in which they were met.
 #[must_use]
 pub fn summary(verdicts: &[PassVerdict]) -> Vec<PassVerdict> {
-    let mut order: Vec<(String, String)> = Vec::new();
-    let mut joined: BTreeMap<(String, String), PassVerdict> = BTreeMap::new();
+    let mut joined: Vec<PassVerdict> = Vec::new();
     for verdict in verdicts {
-        let key = (verdict.pass.clone(), verdict.route.clone());
-        match joined.get_mut(&key) {
+        match joined.iter_mut().find(|known| (&known.pass, &known.route) == (&verdict.pass, &verdict.route)) {
             Some(known) => known.join(verdict),
-            None => {
-                order.push(key.clone());
-                joined.insert(key, verdict.clone());
-            }
+            None => joined.push(verdict.clone()),
         }
     }
-    order.iter().filter_map(|key| joined.remove(key)).collect()
+    joined
 }
 
 impl PassVerdict {

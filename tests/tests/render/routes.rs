@@ -1,5 +1,7 @@
 //! Every pass on every route of the drivers, inside the derived bounds.
 
+use lobe_backends::executor::ExecError;
+use lobe_backends::pipeline::{Dispatcher, Interpreted, Memory, Pass};
 use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, State};
 use lobe_tests::proxies::{self, Options};
@@ -43,4 +45,38 @@ fn rectangles_on_every_route() {
 #[test]
 fn sampling_on_every_route() {
     check("caustic_a005.json", Method::Reference, [6, 6]);
+}
+
+/// A route that is right but for the first float of the direct light.
+struct Wrong<'p>(Interpreted<'p>);
+
+impl<'p> Dispatcher<'p> for Wrong<'p> {
+    fn route(&self) -> &Route {
+        self.0.route()
+    }
+
+    fn dispatch(&mut self, pass: &'p Pass, invocations: u32, memory: &mut Memory) -> Result<(), ExecError> {
+        self.0.dispatch(pass, invocations, memory)?;
+        for buffer in pass.buffers().iter().filter(|buffer| buffer.name == "direct") {
+            let mut bytes = memory.take(&buffer.name).unwrap_or_default();
+            bytes[0..4].copy_from_slice(&1.25_f32.to_le_bytes());
+            memory.put(&buffer.name, bytes);
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn a_wrong_word_is_outside() {
+    let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
+    let mut scene = crate::scene("plates_a010.json");
+    scene.camera.size = [4, 4];
+    let proxies = proxies::proxies(&scene, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
+    let settings = Settings { method: Method::Direct, ..Settings::default() };
+    let mut judged = Judged::new(vec![Box::new(Wrong(Interpreted::default()))]);
+    renderer.render(&scene, &proxies, &settings, &mut judged, &|_| {}).unwrap_or_else(|e| panic!("{e}"));
+    let short: Vec<_> = summary(&judged.verdicts).into_iter().filter(|verdict| !verdict.holds()).collect();
+    assert_eq!(short.len(), 1, "{short:?}");
+    assert_eq!((short[0].pass.as_str(), short[0].outside), ("direct_pass", 1));
+    assert!(short[0].first.as_ref().is_some_and(|first| first.starts_with("direct, word 0: 1.25")));
 }
