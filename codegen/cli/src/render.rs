@@ -16,8 +16,10 @@ use std::time::Instant;
 
 /// Steps of the progress bar.
 const STEPS: usize = 1000;
-/// Pixels of a picture, at most: what buffers of 128 MiB hold.
+/// Pixels of a picture, at most: what buffers of 128 MiB hold, the least that drivers bind.
 const MOST_PIXELS: u64 = 1 << 20;
+/// The same for the method `reference` on a driver, whose means take 256 bytes a pixel.
+const MOST_SAMPLED: u64 = 1 << 19;
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -75,7 +77,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let writers =
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
     let scene = open(args)?;
-    check_size(scene.camera.size)?;
+    check_size(args, scene.camera.size)?;
     if args.check {
         return judge(args, &scene);
     }
@@ -220,12 +222,16 @@ impl Form {
     }
 }
 
-fn check_size([width, height]: [u32; 2]) -> Result<(), Fail> {
-    if u64::from(width) * u64::from(height) <= MOST_PIXELS {
+fn check_size(args: &Args, [width, height]: [u32; 2]) -> Result<(), Fail> {
+    let is_sampled = args.method == Method::Reference && matches!(args.route, Route::Gpu { .. });
+    let most = if is_sampled { MOST_SAMPLED } else { MOST_PIXELS };
+    if u64::from(width) * u64::from(height) <= most {
         return Ok(());
     }
-    let message =
-        format!("a picture has at most {MOST_PIXELS} pixels, {width} x {height} are more; give a --size");
+    let (method, route) = (args.method, &args.route);
+    let message = format!(
+        "{method} on {route} makes pictures of at most {most} pixels, {width} x {height} are more; give a --size"
+    );
     Err(Fail::Usage(message))
 }
 
