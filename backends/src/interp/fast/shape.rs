@@ -122,15 +122,56 @@ pub(super) unsafe fn set_cell<T: Lane, const N: usize>(m: &mut Machine<N>, at: u
     unsafe { *m.cells().add(at as usize) = value.to_cell() }
 }
 
+/// How many numbers long formulas take abreast: as many as fill a processor's waits.
+pub(super) const ABREAST: usize = 8;
+const _: () = assert!(super::LANES % ABREAST == 0);
+
+/// A long function of lanes that lie an eighth of all apart, for the loop over them to become vectors.
+///
+/// A macro, since closures of such a size are not inlined.
+macro_rules! abreast {
+    ($d:ident, $n:ident, $several:path, $(|$lane:ident| $operand:expr),+) => {
+        for first in 0..$n / $crate::interp::fast::shape::ABREAST {
+            let results = $several($({
+                let $lane = first;
+                let mut operands = [$operand; $crate::interp::fast::shape::ABREAST];
+                for k in 1..$crate::interp::fast::shape::ABREAST {
+                    let $lane = first + k * ($n / $crate::interp::fast::shape::ABREAST);
+                    operands[k] = $operand;
+                }
+                operands
+            }),+);
+            for k in 0..$crate::interp::fast::shape::ABREAST {
+                $d[first + k * ($n / $crate::interp::fast::shape::ABREAST)] = results[k];
+            }
+        }
+    };
+}
+pub(super) use abreast;
+
 /// A function of one number.
 pub(super) trait Fn1: 'static {
     type A: Lane;
     type R: Lane;
+    /// Whether it is so long that numbers abreast are done sooner.
+    const LONG: bool = false;
     fn eval(a: Self::A) -> Self::R;
     #[inline(always)]
+    fn several<const K: usize>(a: [Self::A; K]) -> [Self::R; K] {
+        let mut results = [Self::eval(a[0]); K];
+        for k in 1..K {
+            results[k] = Self::eval(a[k]);
+        }
+        results
+    }
+    #[inline(always)]
     fn lanes<const N: usize>(d: &mut [Self::R; N], a: &[Self::A; N]) {
-        for lane in 0..N {
-            d[lane] = Self::eval(a[lane]);
+        if Self::LONG {
+            abreast!(d, N, Self::several, |lane| a[lane]);
+        } else {
+            for lane in 0..N {
+                d[lane] = Self::eval(a[lane]);
+            }
         }
     }
 }
@@ -140,15 +181,29 @@ pub(super) trait Fn2: 'static {
     type A: Lane;
     type B: Lane;
     type R: Lane;
+    /// As of [`Fn1`].
+    const LONG: bool = false;
     fn eval(a: Self::A, b: Self::B) -> Self::R;
+    #[inline(always)]
+    fn several<const K: usize>(a: [Self::A; K], b: [Self::B; K]) -> [Self::R; K] {
+        let mut results = [Self::eval(a[0], b[0]); K];
+        for k in 1..K {
+            results[k] = Self::eval(a[k], b[k]);
+        }
+        results
+    }
     #[inline(always)]
     fn lanes<S: Source, T: Source, const N: usize>(
         d: &mut [Self::R; N],
         a: S::Held<'_, Self::A, N>,
         b: T::Held<'_, Self::B, N>,
     ) {
-        for lane in 0..N {
-            d[lane] = Self::eval(S::get(a, lane), T::get(b, lane));
+        if Self::LONG {
+            abreast!(d, N, Self::several, |lane| S::get(a, lane), |lane| T::get(b, lane));
+        } else {
+            for lane in 0..N {
+                d[lane] = Self::eval(S::get(a, lane), T::get(b, lane));
+            }
         }
     }
 }
@@ -159,7 +214,17 @@ pub(super) trait Fn3: 'static {
     type B: Lane;
     type C: Lane;
     type R: Lane;
+    /// As of [`Fn1`].
+    const LONG: bool = false;
     fn eval(a: Self::A, b: Self::B, c: Self::C) -> Self::R;
+    #[inline(always)]
+    fn several<const K: usize>(a: [Self::A; K], b: [Self::B; K], c: [Self::C; K]) -> [Self::R; K] {
+        let mut results = [Self::eval(a[0], b[0], c[0]); K];
+        for k in 1..K {
+            results[k] = Self::eval(a[k], b[k], c[k]);
+        }
+        results
+    }
     #[inline(always)]
     fn lanes<S: Source, T: Source, U: Source, const N: usize>(
         d: &mut [Self::R; N],
@@ -167,8 +232,14 @@ pub(super) trait Fn3: 'static {
         b: T::Held<'_, Self::B, N>,
         c: U::Held<'_, Self::C, N>,
     ) {
-        for lane in 0..N {
-            d[lane] = Self::eval(S::get(a, lane), T::get(b, lane), U::get(c, lane));
+        if Self::LONG {
+            abreast!(d, N, Self::several, |lane| S::get(a, lane), |lane| T::get(b, lane), |lane| U::get(
+                c, lane
+            ));
+        } else {
+            for lane in 0..N {
+                d[lane] = Self::eval(S::get(a, lane), T::get(b, lane), U::get(c, lane));
+            }
         }
     }
 }

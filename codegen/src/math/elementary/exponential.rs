@@ -1,6 +1,6 @@
 //! Exponential functions.
 
-use super::polynomial;
+use super::abreast::{each, pairs, polynomial};
 
 /// Adding this rounds to an integer, which then stands in the lowest bits.
 const ROUND: f32 = 12_582_912.0; // 1.5 * 2^23
@@ -42,7 +42,7 @@ impl Normal {
 /// The same functions where they are finite: same results for arguments that the function before takes, without the way
 /// for others.
 pub mod finite {
-    use super::{EXP, EXP2};
+    use super::{EXP, EXP2, pairs};
 
     /// Whether [`exp`] takes this argument.
     #[inline(always)]
@@ -52,8 +52,8 @@ pub mod finite {
 
     /// See [`exp`](super::exp).
     #[inline(always)]
-    pub fn exp(x: f32) -> f32 {
-        EXP.flushed(x, super::exp_normal(x))
+    pub fn exp<const K: usize>(x: [f32; K]) -> [f32; K] {
+        pairs(x, super::exp_normal(x), |x, normal| EXP.flushed(x, normal))
     }
 
     /// Whether [`exp2`] takes this argument.
@@ -64,8 +64,25 @@ pub mod finite {
 
     /// See [`exp2`](super::exp2).
     #[inline(always)]
-    pub fn exp2(x: f32) -> f32 {
-        EXP2.flushed(x, super::exp2_normal(x))
+    pub fn exp2<const K: usize>(x: [f32; K]) -> [f32; K] {
+        pairs(x, super::exp2_normal(x), |x, normal| EXP2.flushed(x, normal))
+    }
+}
+
+/// Several numbers abreast: the same results, sooner.
+pub mod several {
+    use super::{EXP, EXP2, pairs};
+
+    /// See [`exp`](super::exp).
+    #[inline(always)]
+    pub fn exp<const K: usize>(x: [f32; K]) -> [f32; K] {
+        pairs(x, super::exp_normal(x), |x, normal| EXP.of_any(x, normal))
+    }
+
+    /// See [`exp2`](super::exp2).
+    #[inline(always)]
+    pub fn exp2<const K: usize>(x: [f32; K]) -> [f32; K] {
+        pairs(x, super::exp2_normal(x), |x, normal| EXP2.of_any(x, normal))
     }
 }
 
@@ -73,38 +90,43 @@ pub mod finite {
 /// below the smallest normal number are 0.
 #[inline(always)]
 pub fn exp(x: f32) -> f32 {
-    EXP.of_any(x, exp_normal(x))
+    let [result] = several::exp([x]);
+    result
 }
 
 #[inline(always)]
-fn exp_normal(x: f32) -> f32 {
-    let rounded = x * std::f32::consts::LOG2_E + ROUND;
-    let n = rounded - ROUND;
-    let r = (x - n * LN_2_HIGH) - n * LN_2_LOW;
+fn exp_normal<const K: usize>(x: [f32; K]) -> [f32; K] {
+    let rounded = each(x, |x| x * std::f32::consts::LOG2_E + ROUND);
+    let n = each(rounded, |rounded| rounded - ROUND);
+    let high = pairs(x, n, |x, n| x - n * LN_2_HIGH);
+    let r = pairs(high, n, |high, n| high - n * LN_2_LOW);
     let p = polynomial(r, [0.499_999_94, 0.166_665_21, 0.041_668_39, 0.008_368_717, 0.001_381_459_8]);
-    let mantissa = (r * r) * p + r + 1.0;
-    scaled(mantissa, rounded)
+    let mantissa = pairs(r, p, |r, p| (r * r) * p + r + 1.0);
+    pairs(mantissa, rounded, scaled)
 }
 
 /// `2^x`: the power of two next to it times a polynomial of degree 6 in the rest. At most 0.73 ULP; results
 /// below the smallest normal number are 0.
 #[inline(always)]
 pub fn exp2(x: f32) -> f32 {
-    EXP2.of_any(x, exp2_normal(x))
+    let [result] = several::exp2([x]);
+    result
 }
 
 #[inline(always)]
-fn exp2_normal(x: f32) -> f32 {
-    let rounded = x + ROUND;
-    let r = x - (rounded - ROUND);
-    // 1 + r/2 as a rounded sum and what it lacks.
-    let half = 0.5 * r;
-    let high = 1.0 + half;
-    let low = half - (high - 1.0);
+fn exp2_normal<const K: usize>(x: [f32; K]) -> [f32; K] {
+    let rounded = each(x, |x| x + ROUND);
+    let r = pairs(x, rounded, |x, rounded| x - (rounded - ROUND));
     let p = polynomial(
         r,
         [0.193_147_2, 0.240_226_48, 0.055_503_324, 0.009_618_441, 0.001_339_886_5, 1.535_249_9e-4],
     );
-    let mantissa = high + (low + r * p);
-    scaled(mantissa, rounded)
+    let mantissa = pairs(r, p, |r, p| {
+        // 1 + r/2 as a rounded sum and what it lacks.
+        let half = 0.5 * r;
+        let high = 1.0 + half;
+        let low = half - (high - 1.0);
+        high + (low + r * p)
+    });
+    pairs(mantissa, rounded, scaled)
 }

@@ -2,9 +2,11 @@
 
 use super::super::super::program::op::FloatOp;
 use super::super::super::scalar::float as numbers;
-use super::super::shape::{Ask, Fn1, Found, one, one_plain, three_alike, two, two_alike, two_commuting};
+use super::super::shape::{
+    Ask, Fn1, Found, abreast, one, one_plain, three_alike, two, two_alike, two_commuting,
+};
 use super::functions;
-use lobe_codegen::math::elementary::{finite, near};
+use lobe_codegen::math::elementary::{finite, near, several};
 use lobe_codegen::math::scalar;
 
 functions! {
@@ -83,8 +85,40 @@ shortened! {
     Sin sin, near::sin where near::holds;
     Cos cos, near::cos where near::holds;
     Tan tan, near::tan where near::holds;
-    Exp exp, finite::exp where finite::has_exp;
-    Exp2 exp2, finite::exp2 where finite::has_exp2;
+}
+
+/// The same for functions that have a form for several numbers abreast.
+macro_rules! shortened_abreast {
+    ($($name:ident $function:ident where $right:path;)*) => {
+        $(
+            pub(super) struct $name;
+            impl Fn1 for $name {
+                type A = f32;
+                type R = f32;
+                const LONG: bool = true;
+                #[inline(always)]
+                fn eval(a: f32) -> f32 {
+                    scalar::$function(a)
+                }
+                #[inline(always)]
+                fn several<const K: usize>(a: [f32; K]) -> [f32; K] {
+                    several::$function(a)
+                }
+                #[inline(always)]
+                fn lanes<const N: usize>(d: &mut [f32; N], a: &[f32; N]) {
+                    if a.iter().fold(true, |all, a| all & $right(*a)) {
+                        abreast!(d, N, finite::$function, |lane| a[lane]);
+                    } else {
+                        abreast!(d, N, several::$function, |lane| a[lane]);
+                    }
+                }
+            }
+        )*
+    };
+}
+shortened_abreast! {
+    Exp exp where finite::has_exp;
+    Exp2 exp2 where finite::has_exp2;
 }
 
 pub(super) fn find<const N: usize>(op: FloatOp, ask: Ask) -> Found<N> {
