@@ -56,6 +56,7 @@ pub mod overhead;
 pub mod perturbed;
 pub mod proxies;
 pub mod question;
+pub mod race;
 pub mod render;
 pub mod report;
 pub mod scene;

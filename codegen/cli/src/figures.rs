@@ -77,10 +77,10 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Fail> {
 }
 
 /// Makes pictures of SVG texts.
-struct Painter(Options<'static>);
+pub(crate) struct Painter(Options<'static>);
 
 impl Painter {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let mut options = Options { font_family: FONT.to_owned(), ..Options::default() };
         let fonts = Arc::make_mut(&mut options.fontdb);
         fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
@@ -89,7 +89,7 @@ impl Painter {
         Self(options)
     }
 
-    fn png(&self, svg: &str) -> Result<Vec<u8>, Fail> {
+    pub(crate) fn png(&self, svg: &str) -> Result<Vec<u8>, Fail> {
         let defect = |why: &dyn std::fmt::Display| Fail::Defect(format!("a figure cannot be painted: {why}"));
         let tree = Tree::from_str(svg, &self.0).map_err(|e| defect(&e))?;
         let size = tree.size();

@@ -5,6 +5,7 @@ mod common;
 use common::{assert_fails, assert_holds, lobe};
 use serde_json::Value;
 
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/cases/scenes/plates_a010.json");
 const QUICK: [&str; 9] =
     ["bench", "--items", "1000", "--rounds", "3", "--route", "native", "--route", "interp"];
 
@@ -51,4 +52,29 @@ fn what_is_not_there_is_refused() {
     if has_goal {
         assert_fails(&floor, 2, &["--floor needs interp and wgsl+naga@lavapipe"]);
     }
+}
+
+#[test]
+fn methods_are_measured_beside_sampling() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plot = folder.path().join("cost.svg");
+    let plot_name = plot.display().to_string();
+    let small =
+        ["--size", "16x16", "--truth", "1024", "--rounds", "1", "--route", "interp", "--format", "json"];
+    let said =
+        assert_holds(&lobe(&[&["bench", "--render", SCENE, "--plot", &plot_name], &small[..]].concat()));
+    let all: Vec<Value> = said.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let (sampling, methods): (Vec<_>, Vec<_>) = all.iter().partition(|e| e["method"] == "reference");
+    let numbers = |key: &str| sampling.iter().map(|e| e[key].as_f64().expect("a number")).collect::<Vec<_>>();
+    assert_eq!(numbers("samples"), [4.0, 16.0, 64.0, 256.0]);
+    assert!(numbers("relative_rmse").is_sorted_by(|a, b| a > b), "{:?}", numbers("relative_rmse"));
+    assert!(methods.iter().all(|e| e["sampling_ratio"].as_f64().is_some_and(|r| r > 0.0)), "{said}");
+    let error = |name: &str| {
+        methods.iter().find(|e| e["method"] == name).and_then(|e| e["relative_rmse"].as_f64()).expect(name)
+    };
+    assert!(error("rect-laplace") < error("rect") && error("rect") < error("rect-paper"), "{said}");
+    assert!(std::fs::read_to_string(&plot).expect("the plot").contains("relative RMSE"));
+    assert_fails(&lobe(&["bench", "--render", "nix.json"]), 2, &["nix.json"]);
+    let name = folder.path().join("cost.gif").display().to_string();
+    assert_fails(&lobe(&["bench", "--render", SCENE, "--plot", &name]), 2, &["cost.gif", ".svg or .png"]);
 }

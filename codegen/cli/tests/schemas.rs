@@ -91,6 +91,13 @@ fn faults_and_throughput() {
 }
 
 #[test]
+fn methods_against_each_other() {
+    let scene = at("tests/cases/scenes/plates_a010.json").display().to_string();
+    let small = ["--size", "8x8", "--truth", "64", "--rounds", "1", "--route", "interp"];
+    lines("race", &[&["bench", "--render", &scene], &small[..]].concat());
+}
+
+#[test]
 fn proxies_of_scenes() {
     for (scene, count) in [("room.gltf", 5), ("plates.gltf", 3), ("cornell_L0.json", 6)] {
         let path = at("tests/cases/scenes").join(scene).display().to_string();

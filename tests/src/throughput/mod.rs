@@ -97,7 +97,7 @@ pub fn measure(
 
 /// Who runs when in a round: one who comes after a driver finds caches and processors as that left them, so everyone takes
 /// turns at coming first, and at coming after each of the others.
-fn order(executors: usize, round: usize) -> Vec<usize> {
+pub(crate) fn order(executors: usize, round: usize) -> Vec<usize> {
     let mut rng = Rng::new(round as u64, "order");
     let mut order: Vec<_> = (0..executors).collect();
     for at in (1..executors).rev() {

@@ -1,6 +1,7 @@
 //! `lobe bench`: throughput of every executor on the same kernels, as ratios.
 
 mod emitted;
+mod render;
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
@@ -9,6 +10,7 @@ use lobe_backends::interp::Isa;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_tests::throughput::{self, Executor, MOST, Maker, Measurement, WORKLOADS};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// Version of the format.
@@ -43,6 +45,18 @@ pub(crate) struct Args {
     /// Measure instead what emitted HLSL costs beside the same functions by hand, and how long emission takes
     #[arg(long, conflicts_with_all = ["kernels", "routes", "threads"])]
     emitted: bool,
+    /// Measure instead what the methods of `lobe render` cost on these scenes, and how far they are from the truth
+    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["kernels", "items", "floor", "emitted"])]
+    render: Vec<PathBuf>,
+    /// With --render: columns and rows, instead of 128x128
+    #[arg(long, value_name = "WxH", requires = "render", value_parser = crate::render::size)]
+    size: Option<[u32; 2]>,
+    /// With --render: samples a pixel of the truth
+    #[arg(long, value_name = "SAMPLES", default_value_t = 8192, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+    truth: u32,
+    /// With --render: file to draw error over cost in, `.svg` or `.png`
+    #[arg(long, value_name = "FILE", requires = "render")]
+    plot: Option<PathBuf>,
 }
 
 const HELP: &str = "\
@@ -57,7 +71,12 @@ divided by this one's in the same round. The goals against wgsl+naga@lavapipe fo
 
 With --emitted, six kernels stand beside HLSL by hand, all through DXC -O3: the emitted functions called by the hand's \
 entry point (limits: 1.00 x the instructions in SPIR-V and DXIL, 1.01 x the time on lavapipe), and the emitted entry \
-point (1.05 x both). Then the time to write each in every target, beside slang's for one, 200 times as long.";
+point (1.05 x both). Then the time to write each in every target, beside slang's for one, 200 times as long.
+
+With --render, the methods of rectangles and sampling with 4 to 256 samples a pixel take turns on spirv@lavapipe, or on \
+the routes that are named: time of the passes that find the light of one bounce, buffers' way to the driver and back \
+included, and the error of the glossy light of glossy surfaces, without occlusion, against --truth. The last number \
+is how many times as long sampling takes to a method's error.";
 
 /// The route that goals are stated against.
 const YARDSTICK: &str = "wgsl+naga@lavapipe";
@@ -69,6 +88,9 @@ const THREADS: [&str; 2] = ["RAYON_NUM_THREADS", "LP_NUM_THREADS"];
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     if args.emitted {
         return emitted::run(args);
+    }
+    if !args.render.is_empty() && args.threads.is_none_or(runs_with) {
+        return render::run(args);
     }
     if let Some(threads) = args.threads.filter(|n| !runs_with(*n)) {
         return again(threads);
@@ -82,7 +104,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         let workload = maker.make(items);
         let mut measured = || -> Result<Vec<Measurement>, Fail> {
             let measured = throughput::measure(&workload, &mut executors, args.rounds.into())?;
-            output::print(&render(&measured, args.format))?;
+            output::print(&shown(&measured, args.format))?;
             Ok(measured)
         };
         let first = measured()?;
@@ -143,7 +165,7 @@ fn driven(machine: &Machine, route: &Route, road: Road, name: &str) -> Result<Ex
     Ok(Executor::Gpu { road, gpu: Box::new(opened) })
 }
 
-fn render(measured: &[Measurement], format: ListFormat) -> String {
+fn shown(measured: &[Measurement], format: ListFormat) -> String {
     match format {
         ListFormat::Json => {
             measured.iter().map(|measurement| output::json_line(SCHEMA, measurement)).collect()
