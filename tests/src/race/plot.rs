@@ -1,6 +1,6 @@
 //! Error over cost, as a figure.
 
-use super::Effort;
+use super::{Effort, LADDER};
 use crate::figures::axis::Axis;
 use crate::figures::plot::{Corner, Figure, Mark, Panel, Series};
 
@@ -20,8 +20,9 @@ pub fn plot(efforts: &[Effort]) -> Figure {
         panels: panels.collect(),
         caption: format!(
             "Relative root mean squared error over the time a pixel, rectangle and light on {route}, by lobe bench --render. \
-             Sampling takes {:?} samples a pixel; its time is that of its passes, without shadows, divided by the same number.",
-            super::LADDER
+             Sampling takes {} to {} samples a pixel; its time is that of its passes, without shadows, divided by the same number.",
+            LADDER[0],
+            LADDER[LADDER.len() - 1]
         ),
     }
 }
@@ -36,8 +37,8 @@ fn panel(scene: &str, efforts: &[&Effort], has_legend: bool) -> Panel {
     Panel {
         title: scene.to_owned(),
         x: Axis::log("ns a pixel, rectangle and light", 1, 6, 1),
-        y: Axis::log("relative RMSE", -2, 1, 1),
+        y: Axis::log("relative RMSE", -3, 1, 1),
         series: [Series::new("sampling", 0, Mark::Line(curve))].into_iter().chain(dots).collect(),
-        legend: has_legend.then_some(Corner::TopRight),
+        legend: has_legend.then_some(Corner::BottomRight),
     }
 }
