@@ -3,6 +3,7 @@
 
 use crate::rect::{
     angle, attenuation, chain, diffuse, disk, energy, field, laplace, light, pass, peak, reflection, shade,
+    shadow,
 };
 use crate::{asg, brdf, filter, hsg, reference, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
@@ -227,6 +228,8 @@ pub const PASSES: &[FunctionRef] = &kernels![
     pass::rect_laplace_fast_pass,
     field::field_pass,
     field::rect_field_pass,
+    shadow::rect_shadow_ray_pass,
+    shadow::rect_shadowed_pass,
     reference::pass::bounce_sample_pass,
     reference::pass::bounce_mean_pass,
 ];

@@ -67,6 +67,9 @@ pub(crate) struct Args {
     /// Rectangles that a texel lists
     #[arg(long, default_value_t = 8, requires = "field", value_parser = clap::value_parser!(u32).range(1..=8))]
     field_ids: u32,
+    /// Ask for what stands between a pixel, one point of each rectangle and the light (`rect-laplace`)
+    #[arg(long, conflicts_with = "field")]
+    shadows: bool,
     /// Stops by which the PNG is brightened; chosen by the picture if not given
     #[arg(long, allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f32>,
@@ -78,6 +81,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
     let scene = open(args)?;
     check_size(args, scene.camera.size)?;
+    if args.shadows && args.method != Method::RectLaplace {
+        return Err(Fail::Usage(format!("--shadows is for rect-laplace; {} has none", args.method)));
+    }
     if args.check {
         return judge(args, &scene);
     }
@@ -158,7 +164,8 @@ fn report(verdicts: &[PassVerdict]) -> Result<Outcome, Fail> {
 }
 
 fn settings(args: &Args) -> Settings {
-    Settings { method: args.method, samples: args.samples, radius_factor: args.radius_factor }
+    let Args { method, samples, radius_factor, shadows, .. } = *args;
+    Settings { method, samples, radius_factor, shadows }
 }
 
 fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {

@@ -48,6 +48,7 @@ pub mod peak;
 pub mod pixel;
 pub mod reflection;
 pub mod shade;
+pub mod shadow;
 
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;

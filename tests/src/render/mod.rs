@@ -10,6 +10,7 @@ mod file;
 mod judged;
 mod method;
 mod picture;
+mod shadowed;
 mod upload;
 
 pub use field::LightField;
@@ -38,11 +39,13 @@ pub struct Settings {
     pub samples: u32,
     /// The disk's radius over alpha and distance, of the methods of rectangles.
     pub radius_factor: f32,
+    /// Whether [`Method::RectLaplace`] asks for what stands between: one point for each rectangle and lobe.
+    pub shadows: bool,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::RectLaplace, samples: 256, radius_factor: 3.0 }
+        Self { method: Method::RectLaplace, samples: 256, radius_factor: 3.0, shadows: false }
     }
 }
 
@@ -105,10 +108,15 @@ impl Renderer {
         dispatcher: &mut dyn Dispatcher<'p>,
         progress: &dyn Fn(f32),
     ) -> Result<Picture, ExecError> {
-        let mut frame = Frame::new(&self.pipeline, Uploaded::new(scene, proxies), settings, dispatcher)?;
+        let uploaded = Uploaded::new(scene, proxies);
+        let slacks = uploaded.slacks.clone();
+        let mut frame = Frame::new(&self.pipeline, uploaded, settings, dispatcher)?;
         frame.see()?;
         let mut picture = frame.direct()?;
         let indirect = match (settings.method, settings.method.rect_pass()) {
+            (Method::RectLaplace, _) if settings.shadows => {
+                frame.shadowed(&slacks, &mut picture, progress)?
+            }
             (_, Some(pass)) => match field {
                 Some(field) => frame.by_field(field, &mut picture)?,
                 None => frame.rectangles(pass, &mut picture)?,

@@ -33,6 +33,8 @@ pub struct Uploaded {
     pub lights: Vec<SceneLight>,
     /// Rectangles in their place, for the methods of rectangles.
     pub proxies: Vec<RectProxy>,
+    /// How far each of these is from what it stands for, in m.
+    pub slacks: Vec<f32>,
     /// Those surfaces that a light can shine on; at least one.
     pub reflectors: Vec<u32>,
 }
@@ -54,8 +56,9 @@ impl Uploaded {
         let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
         let materials = scene.materials.iter().map(|(_, material)| *material).collect();
         let reflectors = reflectors(&surfaces, &lights);
-        let proxies = proxies.rectangles.iter().flat_map(proxy).collect();
-        Self { camera, bvh, surfaces, materials, lights, proxies, reflectors }
+        let sides = |p: &Proxy| proxy(p).into_iter().map(|side| (side, p.deviation.max)).collect::<Vec<_>>();
+        let (proxies, slacks) = proxies.rectangles.iter().flat_map(sides).unzip();
+        Self { camera, bvh, surfaces, materials, lights, proxies, slacks, reflectors }
     }
 }
 

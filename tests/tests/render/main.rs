@@ -8,6 +8,7 @@ mod field;
 mod passes;
 mod reference;
 mod routes;
+mod shadows;
 mod wild;
 
 use lobe_backends::pipeline::Interpreted;
@@ -24,10 +25,13 @@ fn scene(name: &str) -> Scene {
 
 /// Its picture on the interpreter.
 fn picture(scene: &Scene, method: Method, samples: u32) -> Picture {
+    picture_by(scene, &Settings { method, samples, ..Settings::default() })
+}
+
+fn picture_by(scene: &Scene, settings: &Settings) -> Picture {
     let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
     let proxies =
         proxies::proxies(scene, &Options::default()).unwrap_or_else(|e| panic!("{}: {e}", scene.name));
-    let settings = Settings { method, samples, ..Settings::default() };
-    let made = renderer.render(scene, &proxies, &settings, &mut Interpreted::default(), &|_| {});
-    made.unwrap_or_else(|e| panic!("{}, {method}: {e}", scene.name))
+    let made = renderer.render(scene, &proxies, settings, &mut Interpreted::default(), &|_| {});
+    made.unwrap_or_else(|e| panic!("{}, {}: {e}", scene.name, settings.method))
 }
