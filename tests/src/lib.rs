@@ -48,6 +48,7 @@ pub mod figures;
 pub mod files;
 pub mod judge;
 pub mod measure;
+pub mod metrics;
 pub mod mutation;
 pub mod named;
 pub mod operations;

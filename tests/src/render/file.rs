@@ -46,15 +46,23 @@ fn push(channels: &mut SmallVec<[AnyChannel<FlatSamples>; 4]>, prefix: &str, pix
 /// # Errors
 /// When the picture has no size.
 pub fn png(picture: &Picture, stops: f32) -> Result<Vec<u8>, FileError> {
-    let mut bytes = Vec::new();
-    let mut encoder = ::png::Encoder::new(&mut bytes, picture.size[0], picture.size[1]);
-    encoder.set_color(::png::ColorType::Rgb);
-    encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
     let scale = stops.exp2();
     let pixels: Vec<u8> =
         picture.radiance.iter().flat_map(|p| (scale * *p).to_array().map(encoded)).collect();
+    png_of(picture.size, &pixels)
+}
+
+/// A PNG file of 8 bits: red, green and blue of each pixel, in sRGB.
+///
+/// # Errors
+/// When there are not as many pixels as `size` says, or none.
+pub(crate) fn png_of(size: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>, FileError> {
+    let mut bytes = Vec::new();
+    let mut encoder = ::png::Encoder::new(&mut bytes, size[0], size[1]);
+    encoder.set_color(::png::ColorType::Rgb);
+    encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&pixels)?;
+    writer.write_image_data(pixels)?;
     writer.finish()?;
     Ok(bytes)
 }

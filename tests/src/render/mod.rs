@@ -14,6 +14,7 @@ mod shadowed;
 mod upload;
 
 pub use field::LightField;
+pub(crate) use file::png_of;
 pub use file::{FileError, auto_exposure, encoded, exr, png};
 pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
