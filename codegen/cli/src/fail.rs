@@ -9,6 +9,7 @@ use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
 use lobe_tests::figures::rectangles::SheetError;
 use lobe_tests::judge::JudgeError;
+use lobe_tests::metrics::ReadError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::overhead::OverheadError;
 use lobe_tests::proxies::ProxiesError;
@@ -89,6 +90,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Overhead(#[from] OverheadError),
     #[error(transparent)]
+    PictureFile(#[from] ReadError),
+    #[error(transparent)]
     Picture(#[from] FileError),
     #[error(transparent)]
     Sheet(#[from] SheetError),
@@ -122,6 +125,7 @@ impl Fail {
             | Self::Expectation(_)
             | Self::Merge(_)
             | Self::Proxies(_)
+            | Self::PictureFile(_)
             | Self::Export(
                 ExportError::NothingKnown { .. }
                 | ExportError::PartlyKnown { .. }

@@ -4,6 +4,7 @@
 
 mod bench;
 mod check;
+mod compare;
 mod completions;
 mod doctor;
 mod emit;
@@ -70,6 +71,8 @@ enum Command {
     Proxies(proxies::Args),
     /// Render a scene by a method of interreflection, or the truth by sampling
     Render(render::Args),
+    /// Say how far a picture is from another: mean, error, FLIP
+    Compare(compare::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
     /// Measure the throughput of the interpreter, native code and drivers, side by side
@@ -106,6 +109,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Mutate(args) => mutate::run(args),
         Command::Proxies(args) => proxies::run(args),
         Command::Render(args) => render::run(args),
+        Command::Compare(args) => compare::run(args),
         Command::Figures(args) => figures::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),

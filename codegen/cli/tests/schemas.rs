@@ -4,7 +4,7 @@
 mod common;
 
 use common::{lobe, text};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 fn at(path: &str) -> PathBuf {
@@ -123,6 +123,79 @@ fn proxies_are_written_and_refused() {
         let output = lobe(&[&["proxies", &scene][..], &args].concat());
         assert_eq!(output.status.code(), Some(2));
         assert!(text(&output.stderr).contains(message), "{}", text(&output.stderr));
+    }
+}
+
+/// A picture of a scene, in a folder.
+fn rendered(folder: &Path, method: &str, size: &str, name: &str) -> String {
+    let (scene, out) = (at("tests/cases/scenes/plates_a040.json").display().to_string(), folder.join(name));
+    let out = out.display().to_string();
+    let output = lobe(&["render", &scene, "--method", method, "--size", size, "--layers", "-o", &out]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    out
+}
+
+#[test]
+fn pictures_are_compared_and_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [one, other, small] =
+        [("rect", "16x12", "a.exr"), ("rect-laplace", "16x12", "b.exr"), ("direct", "8x8", "c.exr")]
+            .map(|(method, size, name)| rendered(folder.path(), method, size, name));
+    let [shown, shown_too] = [("rect", "a.png"), ("rect-laplace", "b.png")]
+        .map(|(method, name)| rendered(folder.path(), method, "16x12", name));
+    let map = folder.path().join("map.png").display().to_string();
+    let layer = "indirect_specular_fromspec_novis";
+    let high = document("compare", &["compare", &one, &other, "--layer", layer, "--map", &map]);
+    assert_eq!(
+        (&high["size"], &high["shown"]["tone_map"], &high["layer"]),
+        (&json!([16, 12]), &json!("aces"), &json!(layer))
+    );
+    assert!(high["flip"]["mean"].as_f64() > Some(0.0) && high["mean_ratio"].as_f64() > Some(0.1), "{high}");
+    assert_eq!(&std::fs::read(&map).expect("written")[1..4], b"PNG");
+    let low = document("compare", &["compare", &shown, &shown_too]);
+    assert_eq!((&low["shown"], &low["layer"]), (&Value::Null, &Value::Null));
+    let same =
+        document("compare", &["compare", &one, &one, "--tone-map", "hable", "--pixels-per-degree", "30"]);
+    assert_eq!((same["flip"]["max"].as_f64(), same["mean_ratio"].as_f64()), (Some(0.0), Some(1.0)));
+    let said = text(&lobe(&["compare", &one, &other]).stdout);
+    for part in ["mean ratio", "relative RMSE", "HDR-FLIP", "worst pixel    column "] {
+        assert!(said.contains(part), "no {part} in {said}");
+    }
+    for (args, message) in [
+        (vec![&*one, &small], "the picture has 16 x 12 pixels, the truth 8 x 8"),
+        (vec![&one, &shown], "compare two EXR or two PNG files"),
+        (vec![&one, &other, "--layer", "nothing"], "there is no layer `nothing`; there are: without a name"),
+        (vec![&one, &other, "--layer", "nothing"], "`direct_vis`"),
+        (vec![&shown, &shown_too, "--layer", "direct_vis"], "a PNG file has no layers"),
+        (vec![&one, "gone.exr"], "gone.exr: cannot be read"),
+        (vec![&one, "picture.jpg"], "picture.jpg: pictures are read from .exr and .png"),
+        (vec![&one, &other, "--pixels-per-degree", "0"], "`0` is no number of pixels"),
+    ] {
+        let output = lobe(&[&["compare"][..], &args].concat());
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(text(&output.stderr).contains(message), "{message} // {}", text(&output.stderr));
+    }
+}
+
+/// Files that are cut off or changed are refused by name, whatever is in them.
+#[test]
+fn spoilt_pictures_are_refused_or_compared() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["whole.exr", "whole.png"] {
+        let whole = rendered(folder.path(), "direct", "6x4", name);
+        let bytes = std::fs::read(&whole).expect("written");
+        let spoilt = folder.path().join(format!("spoilt_{name}"));
+        for at in (0..bytes.len()).step_by(bytes.len() / 40) {
+            let mut changed = bytes.clone();
+            changed[at] ^= 0x55;
+            for bytes in [&bytes[..at], &changed] {
+                std::fs::write(&spoilt, bytes).expect("writable");
+                let output = lobe(&["compare", &spoilt.display().to_string(), &whole]);
+                let said = text(&output.stderr);
+                assert!(matches!(output.status.code(), Some(0 | 2)), "{name}, byte {at}: {said}");
+                assert!(output.status.success() || said.contains("spoilt_"), "{name}, byte {at}: {said}");
+            }
+        }
     }
 }
 
