@@ -4,7 +4,7 @@ use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
 use crate::scene;
 use lobe_codegen::prelude::Vec3;
-use lobe_tests::proxies::{Options, proxies};
+use lobe_tests::proxies::{DEEPEST, Options, proxies};
 use lobe_tests::scene::{Choices, Light};
 use std::path::PathBuf;
 
@@ -26,6 +26,9 @@ pub(crate) struct Args {
     /// How far corners may be from their rectangle, in metres; 0.005 of the scene's diagonal unless this is given
     #[arg(long, value_name = "M")]
     distance: Option<f64>,
+    /// Halve space so many times, and put together what is in one cell: for leaves, and for what is finely curved
+    #[arg(long, value_name = "DEPTH", value_parser = clap::value_parser!(u32).range(..=i64::from(DEEPEST)))]
+    partition: Option<u32>,
     /// Merge surfaces of several materials too; a rectangle has the one of most area
     #[arg(long)]
     merge_materials: bool,
@@ -36,7 +39,9 @@ pub(crate) struct Args {
 
 const HELP: &str = "\
 Regions grow over triangles that share an edge and a material, as long as --angle and --distance hold; the proxy of a \
-region is the rectangle of least area around it in its mean plane. With --count, the pair of regions is merged that adds \
+region is the rectangle of least area around it in its mean plane. With --partition, the regions of a cell of space are put \
+together that have one material and normals about one axis, as soon as a rectangle stands for them that holds --angle and \
+--distance and is half full, and in the last cells in any case. With --count, the pair of regions is merged that adds \
 least error: area counts once where it is --distance off the plane, once where its normals are --angle off, and once where \
 a rectangle is empty. Rectangles of a JSON scene are proxies as they are.
 
@@ -52,6 +57,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let options = Options {
         angle: args.angle.to_radians(),
         distance: args.distance,
+        partition: args.partition,
         count: args.count,
         merge_materials: args.merge_materials,
     };

@@ -2,8 +2,9 @@
 //!
 //! 1. Regions grow over triangles that share an edge and a material, from the largest on (`regions.rs`): as long as normals
 //!    stay within an angle of the region's area-weighted mean, and corners within a distance of its mean plane.
-//! 2. Down to a wanted number, the pair is merged that adds least error (`merge.rs`, `moments.rs`).
-//! 3. A region's proxy is the rectangle of least area around its corners in its mean plane (`rectangle.rs`).
+//! 2. Where a mesh is of many small pieces, space is partitioned, and the regions of a cell are put together (`partition.rs`).
+//! 3. Down to a wanted number, the pair is merged that adds least error (`merge.rs`, `moments.rs`).
+//! 4. A region's proxy is the rectangle of least area around its corners in its mean plane (`rectangle.rs`).
 //!
 //! Rectangles of a scene are proxies as they are.
 
@@ -11,6 +12,7 @@ mod adjacency;
 mod json;
 mod merge;
 mod moments;
+mod partition;
 mod rectangle;
 mod regions;
 mod report;
@@ -22,6 +24,7 @@ use lobe_codegen::prelude::Vec3;
 use moments::Moments;
 use rectangle::Rectangle;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// How proxies are made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +33,9 @@ pub struct Options {
     pub angle: f64,
     /// How far corners may be from their region's plane, m, above 0; [`SHARE`] of the diagonal of the scene's bounds without.
     pub distance: Option<f64>,
+    /// How often space is halved, at most [`DEEPEST`], to put together what is in one cell; without it regions stay as they
+    /// are.
+    pub partition: Option<u32>,
     /// The most proxies, if there is to be such a number; at least 1.
     pub count: Option<usize>,
     /// Whether regions of several materials may be merged; the proxy has that of most area.
@@ -38,11 +44,19 @@ pub struct Options {
 
 /// The distance that is permitted, in diagonals of the scene's bounds.
 pub const SHARE: f64 = 0.005;
+/// The most halvings of space.
+pub const DEEPEST: u32 = 24;
 
 impl Default for Options {
     /// 10 degrees, and as many proxies as there are regions.
     fn default() -> Self {
-        Self { angle: 10f64.to_radians(), distance: None, count: None, merge_materials: false }
+        Self {
+            angle: 10f64.to_radians(),
+            distance: None,
+            partition: None,
+            count: None,
+            merge_materials: false,
+        }
     }
 }
 
@@ -151,23 +165,42 @@ pub enum ProxiesError {
 /// When an option is out of its range, or fewer proxies are wanted than there are materials.
 pub fn proxies(scene: &Scene, options: &Options) -> Result<Proxies, ProxiesError> {
     let limits = Limits::new(scene, options)?;
-    let triangles = &scene.triangles;
-    let neighbours = adjacency::neighbours(triangles);
-    let mut region_of = regions::grow(triangles, &neighbours, &limits);
+    let (triangles, region_of) = regions_of(scene, options, &limits)?;
+    let own = scene.rectangles.iter().map(|surface| of_surface(scene, surface));
+    let members = members(&region_of);
+    let made = members.iter().filter(|members| !members.is_empty()).map(|members| {
+        let region: Vec<&Triangle> = members.iter().map(|&i| &triangles[i as usize]).collect();
+        of_region(scene, &region)
+    });
+    let area = scene.rectangles.iter().map(|s| 4.0 * f64::from(s.half_u.length() * s.half_v.length()));
+    let area = area.sum::<f64>() + triangles.iter().map(moments::area).sum::<f64>();
+    Ok(Proxies { rectangles: own.chain(made).collect(), area })
+}
+
+/// The triangles of a scene, as they are or turned, and the region of each.
+fn regions_of<'a>(
+    scene: &'a Scene,
+    options: &Options,
+    limits: &Limits,
+) -> Result<(Cow<'a, [Triangle]>, Vec<u32>), ProxiesError> {
+    let triangles = match options.partition {
+        Some(_) => partition::turned(&scene.triangles),
+        None => Cow::Borrowed(scene.triangles.as_slice()),
+    };
+    let neighbours = adjacency::neighbours(&triangles);
+    let mut region_of = regions::grow(&triangles, &neighbours, limits);
+    if let Some(depth) = options.partition {
+        partition::partition(&triangles, &mut region_of, depth, limits);
+    }
     if let Some(count) = options.count {
         let left = count.saturating_sub(scene.rectangles.len());
-        let reached =
-            merge::merge(triangles, &neighbours, &mut region_of, left, &limits, options.merge_materials);
+        let across = options.merge_materials;
+        let reached = merge::merge(&triangles, &neighbours, &mut region_of, left, limits, across);
         if reached > left {
             return Err(ProxiesError::Count { count, least: reached + scene.rectangles.len() });
         }
     }
-    let own = scene.rectangles.iter().map(|surface| of_surface(scene, surface));
-    let members = members(&region_of);
-    let made = members.iter().filter(|members| !members.is_empty()).map(|members| of_region(scene, members));
-    let area = scene.rectangles.iter().map(|s| 4.0 * f64::from(s.half_u.length() * s.half_v.length()));
-    let area = area.sum::<f64>() + triangles.iter().map(moments::area).sum::<f64>();
-    Ok(Proxies { rectangles: own.chain(made).collect(), area })
+    Ok((triangles, region_of))
 }
 
 /// What regions may be, in numbers that are sound.
@@ -182,6 +215,7 @@ impl Limits {
         let distance = options.distance.unwrap_or_else(|| SHARE * diagonal(&scene.triangles));
         let right = std::f64::consts::FRAC_PI_2;
         let count = options.count.map_or(1.0, |count| count as f64);
+        let depth = f64::from(options.partition.unwrap_or(0));
         for (holds, option, value, range) in [
             (
                 options.angle > 0.0 && options.angle <= right,
@@ -196,6 +230,7 @@ impl Limits {
                 "a number above 0",
             ),
             (count >= 1.0, "the number of proxies", count, "at least 1"),
+            (depth <= f64::from(DEEPEST), "the depth of the partition", depth, "at most 24"),
         ] {
             if !holds {
                 return Err(ProxiesError::Option { option, value, range });
@@ -242,8 +277,8 @@ fn name(scene: &Scene, material: usize) -> String {
     scene.materials.get(material).map(|(name, _)| name.clone()).unwrap_or_default()
 }
 
-fn of_region(scene: &Scene, members: &[u32]) -> Proxy {
-    let triangles = || members.iter().map(|&i| &scene.triangles[i as usize]);
+fn of_region(scene: &Scene, members: &[&Triangle]) -> Proxy {
+    let triangles = || members.iter().copied();
     let moments: Moments = triangles().map(Moments::of).sum();
     let plane = moments.plane();
     let points: Vec<_> = triangles().flat_map(|t| t.vertices.map(|v| v.as_dvec3())).collect();

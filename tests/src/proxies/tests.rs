@@ -1,6 +1,7 @@
 //! What proxies must be, on meshes of known shape.
 
 use super::*;
+use crate::domain::Rng;
 use crate::scene::{Choices, Scene};
 use expect::{grid, scene_of, sphere};
 use lobe_codegen::glam::{DVec3, Quat};
@@ -66,11 +67,7 @@ fn check(scene: &Scene, options: &Options) -> Proxies {
 /// Each region's corners lie in its rectangle, as seen along the normal.
 fn assert_contained(scene: &Scene, options: &Options, found: &Proxies) {
     let limits = Limits::new(scene, options).unwrap();
-    let neighbours = adjacency::neighbours(&scene.triangles);
-    let mut region_of = regions::grow(&scene.triangles, &neighbours, &limits);
-    if let Some(count) = options.count {
-        merge::merge(&scene.triangles, &neighbours, &mut region_of, count, &limits, options.merge_materials);
-    }
+    let (_, region_of) = regions_of(scene, options, &limits).unwrap();
     let members: Vec<_> = members(&region_of).into_iter().filter(|members| !members.is_empty()).collect();
     assert_eq!(members.len(), found.rectangles.len());
     for (proxy, members) in found.rectangles.iter().zip(members) {
@@ -139,6 +136,68 @@ fn materials_are_kept_apart_unless_told() {
     assert_eq!(check(&scene, &Options { count: Some(2), ..one }).summary().overlap, 1.0);
 }
 
+/// Leaves in the unit cube, turned every way.
+fn foliage(seed: u64, count: u32, size: f32) -> Vec<Triangle> {
+    let mut rng = Rng::new(seed, "foliage");
+    let mut place = || Vec3::from_array([0; 3].map(|_| rng.unit() as f32));
+    let mut leaf = |_| {
+        let (at, along) = (place(), (place() - 0.5).normalize_or(Vec3::X));
+        let across = along.cross(place() - 0.5).normalize_or(along.any_orthonormal_vector());
+        let leaf = grid(1, 0, |s, t| at + size * (s * along + t * across));
+        leaf.into_iter().map(|t| Triangle { two_sided: true, ..t }).collect::<Vec<_>>()
+    };
+    (0..count).flat_map(&mut leaf).collect()
+}
+
+#[test]
+fn leaves_are_put_together_by_cells_and_directions() {
+    let scene = scene_of(foliage(7, 500, 0.03));
+    assert_eq!(proxies(&scene, &Options::default()).unwrap().rectangles.len(), 500);
+    let mut rms = f32::INFINITY;
+    for depth in [0, 3, 6] {
+        let found = check(&scene, &Options { partition: Some(depth), ..Options::default() });
+        let summary = found.summary();
+        assert!(summary.count <= 3 << depth, "{depth}: {summary}");
+        assert!(summary.deviation.rms < 0.8 * rms, "{depth}: {summary}");
+        // Normals of a class are within 55 degrees of its axis, so that 0.577 of the area is left at least.
+        assert!(summary.covered > 0.57 && summary.covered < 1.0, "{depth}: {summary}");
+        assert!(found.rectangles.iter().all(|proxy| proxy.two_sided));
+        rms = summary.deviation.rms;
+    }
+}
+
+#[test]
+fn opposite_sides_are_not_put_together() {
+    let whole = Options { partition: Some(0), ..Options::default() };
+    let found = check(&scene_of(sphere(40)), &whole);
+    assert_eq!(found.rectangles.len(), 6);
+    assert!(found.rectangles.iter().all(|proxy| proxy.deviation.angle_deg < 70.0 && !proxy.two_sided));
+}
+
+/// A floor in pieces with a gap, and leaves over it: the floor holds the limits and is not divided, the leaves are.
+#[test]
+fn what_holds_the_limits_is_not_divided() {
+    let half = |x: f32| grid(6, 1, move |s, t| Vec3::new(0.6 * s + x, -0.1 - t * 0.0, 1.0 - t));
+    let scene = scene_of([half(-0.2), half(0.5), foliage(8, 100, 0.03)].concat());
+    let found = check(&scene, &Options { partition: Some(5), ..Options::default() });
+    let floors: Vec<&Proxy> = found.rectangles.iter().filter(|proxy| proxy.material == 1).collect();
+    assert_eq!(floors.iter().map(|floor| floor.triangles).collect::<Vec<_>>(), [144]);
+    assert!(floors[0].deviation.max < 1e-6 && (floors[0].fill - 12.0 / 13.0).abs() < 1e-4, "{:?}", floors[0]);
+    assert!(found.rectangles.len() < 1 + 3 * 32);
+}
+
+/// A wall of two triangles is larger than each of the last cells, and so no part of what is before it.
+#[test]
+fn what_is_larger_than_its_cell_stays_by_itself() {
+    let wall = grid(1, 0, |s, t| Vec3::new(4.0 * s - 2.0, 4.0 * t - 2.0, -0.1))
+        .into_iter()
+        .map(|t| Triangle { two_sided: true, ..t });
+    let scene = scene_of(wall.chain(foliage(9, 200, 0.03)).collect());
+    let found = check(&scene, &Options { partition: Some(3), ..Options::default() });
+    let walls: Vec<&Proxy> = found.rectangles.iter().filter(|proxy| proxy.area() > 10.0).collect();
+    assert_eq!(walls.iter().map(|wall| (wall.triangles, wall.fill)).collect::<Vec<_>>(), [(2, 1.0)]);
+}
+
 /// Pieces that touch nowhere are merged too, those in one plane that leave least empty first.
 #[test]
 fn pieces_apart_are_merged_by_what_they_leave_empty() {
@@ -157,6 +216,10 @@ fn options_out_of_range_are_named() {
         (Options { angle: 0.0, ..Options::default() }, "the angle in degrees is 0: it must be above 0"),
         (Options { angle: f64::NAN, ..Options::default() }, "the angle in degrees is NaN"),
         (Options { distance: Some(-1.0), ..Options::default() }, "the distance in metres is -1"),
+        (
+            Options { partition: Some(25), ..Options::default() },
+            "the depth of the partition is 25: it must be at most 24",
+        ),
         (Options { count: Some(0), ..Options::default() }, "the number of proxies is 0"),
         (Options { count: Some(2), ..Options::default() }, "2 proxies are too few: 3 are left"),
     ] {
@@ -219,10 +282,11 @@ proptest! {
         bumps in prop::array::uniform4(-1.0..1.0f32),
         n in 2..12u32,
         count in prop::option::of(1..20usize),
+        partition in prop::option::of(0..8u32),
     ) {
         let [a, b, c, d] = bumps;
         let wave = move |s: f32, t: f32| Vec3::new(2.0 * s, t, a * (7.0 * s + b).sin() + c * (5.0 * t + d).cos());
-        check(&scene_of(grid(n, 0, wave)), &Options { count, ..Options::default() });
+        check(&scene_of(grid(n, 0, wave)), &Options { count, partition, ..Options::default() });
     }
 }
 
