@@ -1,10 +1,9 @@
 //! `lobe figures`: the figures of the papers, as SVG and PNG, for light and for dark pages.
 
 use crate::fail::{Fail, Outcome};
-use crate::output;
-use lobe_tests::figures::rectangles::{self, Sheet};
-use lobe_tests::figures::svg;
+use crate::{output, paint};
 use lobe_tests::figures::theme::Theme;
+use lobe_tests::figures::{proxies, rectangles, svg};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::collections::BTreeMap;
@@ -53,22 +52,24 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 
 /// Writes the sheets.
 fn pictures(folder: &Path, scenes: &Path) -> Result<Outcome, Fail> {
+    write(&folder.join("proxies.png"), &drawings(scenes)?)?;
     for sheet in rectangles::sheets(scenes)? {
-        let png = rgb(&sheet).map_err(|e| Fail::Defect(format!("a sheet cannot be written: {e}")))?;
-        write(&folder.join(sheet.name).with_extension("png"), &png)?;
+        write(&folder.join(sheet.name).with_extension("png"), &paint::rgb(sheet.size, &sheet.pixels)?)?;
     }
     Ok(Outcome::Holds)
 }
 
-fn rgb(sheet: &Sheet) -> Result<Vec<u8>, png::EncodingError> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, sheet.size[0], sheet.size[1]);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::High);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&sheet.pixels)?;
-    writer.finish()?;
-    Ok(bytes)
+/// The drawings of proxies, all of one size, side by side as a PNG file.
+fn drawings(scenes: &Path) -> Result<Vec<u8>, Fail> {
+    let drawings = proxies::drawings(scenes)?;
+    let painted: Vec<Vec<u8>> = drawings.iter().map(paint::painted).collect::<Result<_, _>>()?;
+    let [width, height] = drawings.first().map_or([0, 0], |drawing| drawing.size);
+    let line = |row: u32| {
+        let bytes = (3 * row * width) as usize..(3 * (row + 1) * width) as usize;
+        painted.iter().flat_map(move |pixels| pixels[bytes.clone()].to_vec())
+    };
+    let pixels: Vec<u8> = (0..height).flat_map(line).collect();
+    paint::rgb([width * drawings.len() as u32, height], &pixels)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Fail> {

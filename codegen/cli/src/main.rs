@@ -21,6 +21,7 @@ mod mutate;
 mod operations;
 mod oracle;
 mod output;
+mod paint;
 mod proxies;
 mod render;
 mod report;

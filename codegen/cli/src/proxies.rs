@@ -2,11 +2,13 @@
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
-use crate::scene;
+use crate::render::size;
+use crate::{paint, scene};
 use lobe_codegen::prelude::Vec3;
+use lobe_tests::figures::proxies::Drawing;
 use lobe_tests::proxies::{DEEPEST, Options, proxies};
 use lobe_tests::scene::{Choices, Light};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -32,6 +34,15 @@ pub(crate) struct Args {
     /// Merge surfaces of several materials too; a rectangle has the one of most area
     #[arg(long)]
     merge_materials: bool,
+    /// Files to draw the rectangles over the mesh into, from the scene's camera: `.png` or `.svg`
+    #[arg(long, value_name = "FILE")]
+    picture: Vec<PathBuf>,
+    /// Name of the glTF file's camera, instead of its first
+    #[arg(long, value_name = "NAME", requires = "picture")]
+    camera: Option<String>,
+    /// Columns and rows of the picture; of the camera's shape, 960 pixels along its longer side, unless this is given
+    #[arg(long, value_name = "WxH", value_parser = size, requires = "picture")]
+    size: Option<[u32; 2]>,
     /// Form of the report
     #[arg(long, value_enum, default_value_t = ListFormat::Human)]
     format: ListFormat,
@@ -45,14 +56,26 @@ together that have one material and normals about one axis, as soon as a rectang
 least error: area counts once where it is --distance off the plane, once where its normals are --angle off, and once where \
 a rectangle is empty. Rectangles of a JSON scene are proxies as they are.
 
+A --picture has the mesh in grey, and each rectangle in a colour of its own: it tints what is in its plane or behind it. \
+Outlines are dashed where the mesh hides them; the stroke from the middle of a rectangle is its normal.
+
 Exit codes: 0 the proxies are made, 2 the scene or an option is refused.";
 
+/// Pixels of a picture, at most.
+const MOST_PIXELS: u64 = 1 << 24;
 /// Taken where a file has no light: proxies are made of surfaces alone.
 const ANY: Light = Light::Directional { to_light: Vec3::Y, irradiance: Vec3::ONE };
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
-    let choices = Choices { light: Some(ANY), ..Choices::default() };
+    let forms: Vec<Form> = args.picture.iter().map(|path| Form::of(path)).collect::<Result<_, _>>()?;
+    if let Some([width, height]) =
+        args.size.filter(|size| size.iter().map(|n| u64::from(*n)).product::<u64>() > MOST_PIXELS)
+    {
+        let message = format!("{width} x {height} are too many pixels: at most {MOST_PIXELS} are drawn");
+        return Err(Fail::Usage(message));
+    }
+    let choices = Choices { light: Some(ANY), camera: args.camera.clone(), ..Choices::default() };
     let scene = scene::open(&args.scene, &choices)?;
     let options = Options {
         angle: args.angle.to_radians(),
@@ -66,9 +89,43 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     if let Some(path) = &args.output {
         output::write_file(path, json.as_bytes())?;
     }
+    if !forms.is_empty() {
+        let drawing = Drawing::new(&scene, &found, args.size);
+        for (path, form) in args.picture.iter().zip(forms) {
+            output::write_file(path, &form.bytes(&drawing)?)?;
+        }
+    }
     output::print(&match args.format {
         ListFormat::Human => found.summary().to_string(),
         ListFormat::Json => json,
     })?;
     Ok(Outcome::Holds)
+}
+
+/// A form of picture.
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    Png,
+    Svg,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Self, Fail> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("svg") => Ok(Self::Svg),
+            _ => {
+                let path = path.display();
+                Err(Fail::Usage(format!("{path}: proxies are drawn as .png or .svg; name one of them")))
+            }
+        }
+    }
+
+    fn bytes(self, drawing: &Drawing) -> Result<Vec<u8>, Fail> {
+        match self {
+            Self::Png => paint::png(drawing),
+            Self::Svg => Ok(paint::svg(drawing)?.into_bytes()),
+        }
+    }
 }

@@ -242,6 +242,7 @@ fn check_size(args: &Args, [width, height]: [u32; 2]) -> Result<(), Fail> {
     Err(Fail::Usage(message))
 }
 
+/// Columns and rows, as `128x128`.
 pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
     let wanted = || format!("`{text}` is no size; write columns and rows, as 128x128");
     let (width, height) = text.split_once('x').ok_or_else(wanted)?;

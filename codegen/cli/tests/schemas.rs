@@ -200,6 +200,30 @@ fn spoilt_pictures_are_refused_or_compared() {
 }
 
 #[test]
+fn proxies_are_drawn() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = at("tests/cases/scenes/room.gltf").display().to_string();
+    let [png, svg, jpg] =
+        ["p.png", "p.svg", "p.jpg"].map(|name| folder.path().join(name).display().to_string());
+    let output = lobe(&["proxies", &scene, "--picture", &png, "--picture", &svg, "--size", "40x30"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let reader = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&png).expect("written")));
+    let info = reader.read_info().expect("a PNG file").info().size();
+    assert_eq!(info, (40, 30));
+    assert!(std::fs::read_to_string(&svg).expect("written").contains("data:image/png;base64,"));
+    for (args, message) in [
+        (vec!["--picture", &jpg], "p.jpg: proxies are drawn as .png or .svg"),
+        (vec!["--picture", &png, "--size", "9999x9999"], "9999 x 9999 are too many pixels"),
+        (vec!["--picture", &png, "--camera", "none"], "none"),
+        (vec!["--partition", "25"], "25"),
+    ] {
+        let output = lobe(&[&["proxies", &scene][..], &args].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(message), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
 fn runs_of_shaders() {
     let corpus = at("tests/cases/corpus").display().to_string();
     let found = lines("run", &["run", "--batch", &corpus]);

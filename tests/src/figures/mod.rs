@@ -10,6 +10,7 @@ mod clamped_cosine;
 mod convolution;
 mod falloff;
 pub mod plot;
+pub mod proxies;
 pub mod quadrature;
 pub mod rectangles;
 mod steepness;

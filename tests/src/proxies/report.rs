@@ -1,6 +1,7 @@
 //! What proxies come to, all of them together.
 
 use super::{Deviation, Proxies, Proxy};
+use lobe_codegen::prelude::Vec3;
 use serde::Serialize;
 use std::fmt;
 
@@ -26,6 +27,13 @@ impl Proxy {
     #[must_use]
     pub fn area(&self) -> f64 {
         4.0 * f64::from(self.half_x) * f64::from(self.half_y)
+    }
+
+    /// Its corners, counter-clockwise for who sees its front, m.
+    #[must_use]
+    pub fn corners(&self) -> [Vec3; 4] {
+        let (x, y) = (self.half_x * self.tangent, self.half_y * self.normal.cross(self.tangent));
+        [-x - y, x - y, x + y, y - x].map(|offset| self.position + offset)
     }
 
     /// Its covered area, m².

@@ -50,6 +50,12 @@ impl Camera {
         Self { position: f64::from(factor) * self.position, ..*self }
     }
 
+    /// The same camera with a picture of other columns and rows.
+    #[must_use]
+    pub fn with_size(&self, size: [u32; 2]) -> Self {
+        Self { size, ..*self }
+    }
+
     /// The unit direction of view; and at distance 1, from the middle of the picture to that of its right and of its upper
     /// side.
     #[must_use]

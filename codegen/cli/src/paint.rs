@@ -1,0 +1,46 @@
+//! Pictures out of pixels and strokes.
+
+use crate::fail::Fail;
+use lobe_tests::figures::proxies::Drawing;
+use resvg::tiny_skia::{Pixmap, PremultipliedColorU8, Transform};
+use resvg::usvg::{Options, Tree};
+
+fn defect(why: &dyn std::fmt::Display) -> Fail {
+    Fail::Defect(format!("a picture cannot be painted: {why}"))
+}
+
+/// The PNG file of 8-bit RGB, row by row, as small as it gets.
+pub(crate) fn rgb([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>, Fail> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    let written = encoder.write_header().and_then(|mut writer| {
+        writer.write_image_data(pixels)?;
+        writer.finish()
+    });
+    written.map_err(|e| defect(&e))?;
+    Ok(bytes)
+}
+
+/// The pixels of a drawing, 8-bit RGB: its strokes over its ground.
+pub(crate) fn painted(drawing: &Drawing) -> Result<Vec<u8>, Fail> {
+    let [width, height] = drawing.size;
+    let mut canvas = Pixmap::new(width, height).ok_or_else(|| defect(&"no size"))?;
+    for (pixel, ground) in canvas.pixels_mut().iter_mut().zip(drawing.ground.chunks_exact(3)) {
+        *pixel = PremultipliedColorU8::from_rgba(ground[0], ground[1], ground[2], 255).unwrap_or(*pixel);
+    }
+    let tree = Tree::from_str(&drawing.strokes(), &Options::default()).map_err(|e| defect(&e))?;
+    resvg::render(&tree, Transform::identity(), &mut canvas.as_mut());
+    Ok(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect())
+}
+
+/// A drawing as a PNG file.
+pub(crate) fn png(drawing: &Drawing) -> Result<Vec<u8>, Fail> {
+    rgb(drawing.size, &painted(drawing)?)
+}
+
+/// A drawing as an SVG file.
+pub(crate) fn svg(drawing: &Drawing) -> Result<String, Fail> {
+    Ok(drawing.svg(&rgb(drawing.size, &drawing.ground)?))
+}
