@@ -185,12 +185,18 @@ fn png(bytes: Vec<u8>, path: PathBuf, _: &str) -> Result<Opened, ReadError> {
     }
 }
 
+/// Pixels of the largest picture: a few bytes state as many as they like, which are not believed.
+const MOST_PIXELS: u64 = 1 << 28;
+
 /// Columns and rows of a PNG file, and its pixels' codes in 0 ..= 1: red, green, blue, alpha.
 fn samples(bytes: Vec<u8>) -> Result<([u32; 2], Vec<[f32; 4]>), ::png::DecodingError> {
     let mut decoder = ::png::Decoder::new(Cursor::new(bytes));
     // Palettes and fewer than 8 bits.
     decoder.set_transformations(::png::Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
+    if u64::from(reader.info().width) * u64::from(reader.info().height) > MOST_PIXELS {
+        return Err(::png::DecodingError::LimitsExceeded);
+    }
     let mut buffer = vec![0; reader.output_buffer_size().ok_or(::png::DecodingError::LimitsExceeded)?];
     let info = reader.next_frame(&mut buffer)?;
     let codes: Vec<f32> = match info.bit_depth {
