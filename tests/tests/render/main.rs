@@ -9,6 +9,8 @@ mod passes;
 mod reference;
 mod routes;
 mod shadows;
+mod spoil;
+mod spoilt;
 mod wild;
 
 use lobe_backends::pipeline::Interpreted;
