@@ -2,8 +2,8 @@
 //! test says so.
 
 use crate::rect::{
-    angle, attenuation, chain, diffuse, disk, energy, field, laplace, light, pass, peak, reflection, shade,
-    shadow,
+    angle, attenuation, chain, diffuse, disk, energy, field, field_tree, laplace, light, pass, peak,
+    reflection, shade, shadow,
 };
 use crate::{asg, brdf, filter, hsg, reference, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
@@ -227,6 +227,7 @@ pub const PASSES: &[FunctionRef] = &kernels![
     pass::rect_laplace_single_pass,
     pass::rect_laplace_fast_pass,
     field::field_pass,
+    field_tree::field_tree_pass,
     field::rect_field_pass,
     shadow::rect_shadow_ray_pass,
     shadow::rect_shadowed_pass,

@@ -8,7 +8,8 @@ use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_tests::proxies::{self, Options, Proxies};
 use lobe_tests::render::{
-    Judged, LightField, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr, png, summary,
+    FieldSearch, Judged, LightField, Method, PassVerdict, Picture, Renderer, Settings, auto_exposure, exr,
+    png, summary,
 };
 use lobe_tests::scene::{Choices, Scene};
 use std::path::{Path, PathBuf};
@@ -67,6 +68,9 @@ pub(crate) struct Args {
     /// Rectangles that a texel lists
     #[arg(long, default_value_t = 8, requires = "field", value_parser = clap::value_parser!(u32).range(1..=8))]
     field_ids: u32,
+    /// Find them by trying every rectangle instead of by a tree; the lists are the same
+    #[arg(long, requires = "field")]
+    field_all: bool,
     /// Ask for what stands between a pixel, one point of each rectangle and the light (`rect-laplace`)
     #[arg(long, conflicts_with = "field")]
     shadows: bool,
@@ -174,6 +178,7 @@ fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
     let proxies = proxies(args, scene)?;
     if let Some(side) = args.field {
         let mut field = LightField::new(side, args.field_ids);
+        field.search = if args.field_all { FieldSearch::All } else { FieldSearch::Tree };
         return Ok(renderer.render_by_field(scene, &proxies, &mut field, dispatcher.as_mut())?);
     }
     let bar: ProgressBar = output::progress(STEPS);

@@ -4,13 +4,13 @@
 //! one of rectangles that stand still, which is kept, and one of those that move, which is made again for each frame.
 
 use crate::brdf::Material;
-use crate::rect::GlossyReceiver;
 use crate::rect::diffuse::rect_form_factor;
 use crate::rect::laplace::{
     Reflector, rect_laplace_bitangent, rect_laplace_matt, rect_laplace_receiver, rect_laplace_reflector,
 };
 use crate::rect::pass::{RectProxy, light_share};
 use crate::rect::pixel::{RectBounce, RectPixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace};
+use crate::rect::{GlossyReceiver, Rectangle};
 use crate::reference::rectangle::rectangle_point;
 use crate::reference::running_mean::luminance;
 use crate::scene::light::{Arriving, SceneLight};
@@ -58,6 +58,15 @@ pub fn field_texel(settings: FieldSettings, index: u32, surface: Surface, positi
     (index * settings.side + row) * settings.side + column
 }
 
+/// The middle of a texel, one of `side` by `side` on each rectangle.
+#[kernel]
+pub fn field_middle(side: u32, texel: u32, rectangle: Rectangle) -> Vec3 {
+    let column = (texel % side) as f32;
+    let row = (texel / side % side) as f32;
+    let middle = Vec2::new((column + 0.5) / side as f32, (row + 0.5) / side as f32);
+    rectangle_point(rectangle, middle)
+}
+
 /// What a rectangle in a light sends to a matt white surface: the luminance of its radiosity, of both lobes.
 ///
 /// By [`rect_laplace_matt`] and [`rect_form_factor`], with a reflectance of the facets at normal incidence.
@@ -83,6 +92,8 @@ pub fn field_weight(
 
 /// Lists the rectangles that send most light to each texel, the brightest first: a pass, an invocation a texel.
 ///
+/// Every rectangle is tried; [`field_tree_pass`](super::field_tree::field_tree_pass) gives the same lists. Of two that send as
+/// much, that with the lower index is listed first.
 /// Where fewer may be listed than there is room for, [`NOWHERE`] is in the places of the others.
 #[kernel(workgroup_size(64))]
 pub fn field_pass(
@@ -100,10 +111,7 @@ pub fn field_pass(
     }
     let side = field_settings.side;
     let rectangle = surfaces[(i / (side * side)) as usize].rectangle;
-    let column = (i % side) as f32;
-    let row = (i / side % side) as f32;
-    let middle = Vec2::new((column + 0.5) / side as f32, (row + 0.5) / side as f32);
-    let position = rectangle_point(rectangle, middle);
+    let position = field_middle(side, i, rectangle);
     let mut weights = [-1.0_f32; 8];
     let mut ids = [NOWHERE; 8];
     for k in field_settings.first..field_settings.first + field_settings.count {
@@ -118,8 +126,8 @@ pub fn field_pass(
         let mut sinking = k;
         for place in 0..field_settings.most {
             let other = weights[place as usize];
-            if weight > other {
-                let displaced = ids[place as usize];
+            let displaced = ids[place as usize];
+            if weight > other || (weight == other && sinking < displaced) {
                 weights[place as usize] = weight;
                 ids[place as usize] = sinking;
                 weight = other;

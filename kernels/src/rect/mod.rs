@@ -41,6 +41,7 @@ pub mod diffuse;
 pub mod disk;
 pub mod energy;
 pub mod field;
+pub mod field_tree;
 pub mod laplace;
 pub mod light;
 pub mod pass;

@@ -177,7 +177,7 @@ fn opposite_sides_are_not_put_together() {
 /// A floor in pieces with a gap, and leaves over it: the floor holds the limits and is not divided, the leaves are.
 #[test]
 fn what_holds_the_limits_is_not_divided() {
-    let half = |x: f32| grid(6, 1, move |s, t| Vec3::new(0.6 * s + x, -0.1 - t * 0.0, 1.0 - t));
+    let half = |x: f32| grid(6, 1, move |s, t| Vec3::new(0.6 * s + x, -0.1, 1.0 - t));
     let scene = scene_of([half(-0.2), half(0.5), foliage(8, 100, 0.03)].concat());
     let found = check(&scene, &Options { partition: Some(5), ..Options::default() });
     let floors: Vec<&Proxy> = found.rectangles.iter().filter(|proxy| proxy.material == 1).collect();

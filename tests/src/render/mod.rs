@@ -6,6 +6,7 @@
 mod bounce;
 pub mod bvh;
 mod field;
+mod field_tree;
 mod file;
 mod judged;
 mod method;
@@ -13,7 +14,8 @@ mod picture;
 mod shadowed;
 mod upload;
 
-pub use field::LightField;
+pub use field::{FieldSearch, LightField};
+pub use field_tree::FieldTree;
 pub(crate) use file::png_of;
 pub use file::{FileError, auto_exposure, encoded, exr, png};
 pub use judged::{Judged, PassVerdict, summary};

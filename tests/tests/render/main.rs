@@ -5,6 +5,7 @@ mod bvh;
 #[path = "../common/mod.rs"]
 mod common;
 mod field;
+mod field_tree;
 mod passes;
 mod reference;
 mod routes;

@@ -1,7 +1,7 @@
 //! The mesh in grey, and rectangles that tint it.
 
 use super::colour::hue;
-use super::view::View;
+use super::view::{Met, View};
 use crate::proxies::Proxy;
 use crate::render::encoded;
 use crate::scene::Camera;
@@ -40,7 +40,7 @@ fn line_of(view: &View, fine: &Camera, panes: &[Pane], row: u32) -> Vec<Vec3> {
     let directions: Vec<Vec3> = (0..fine.size[0]).map(|column| fine.ray(column, row).direction).collect();
     let near: Vec<&Pane> = panes.iter().filter(|pane| pane.is_in_row(row / RAYS)).collect();
     let met = view.meet(&directions);
-    let colour = |(column, (dir, met)): (u32, (&Vec3, &Option<(f32, Vec3)>))| {
+    let colour = |((column, dir), met): ((u32, &Vec3), &Option<Met>)| {
         let end = met.map_or(f32::INFINITY, |(dist, _)| dist);
         let mut layers: Vec<(f32, Vec3)> = near
             .iter()
@@ -51,7 +51,7 @@ fn line_of(view: &View, fine: &Camera, panes: &[Pane], row: u32) -> Vec<Vec3> {
         let base = met.map_or(PAGE, |(_, normal)| Vec3::splat(grey(normal.dot(*dir))));
         layers.iter().fold(base, |below, (_, colour)| below.lerp(*colour, TINT))
     };
-    (0..).zip(directions.iter().zip(&met)).map(colour).collect()
+    (0..).zip(&directions).zip(&met).map(colour).collect()
 }
 
 /// The light of the mesh by the cosine between its normal and the ray: less than a half from behind.

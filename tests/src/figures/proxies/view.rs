@@ -15,6 +15,9 @@ const FAR: f32 = 1e30;
 /// Share of a distance within which two are the same.
 const SAME: f32 = 2e-3;
 
+/// Distance and unit normal of what a ray meets.
+pub(super) type Met = (f32, Vec3);
+
 /// The mesh and the camera.
 pub(super) struct View {
     /// Of the size of the picture.
@@ -30,8 +33,8 @@ impl View {
         Self { camera, axes: camera.axes(), mesh: Uploaded::new(scene, &none) }
     }
 
-    /// Distance and unit normal of what each direction from the camera meets first.
-    pub(super) fn meet(&self, directions: &[Vec3]) -> Vec<Option<(f32, Vec3)>> {
+    /// What each direction from the camera meets first.
+    pub(super) fn meet(&self, directions: &[Vec3]) -> Vec<Option<Met>> {
         let rays: Vec<SceneRay> = directions.iter().map(|dir| self.ray(*dir)).collect();
         let mut hits = vec![Hit { dist: FAR, surface: NOWHERE }; rays.len()];
         hits.par_chunks_mut(BATCH).zip(rays.par_chunks(BATCH)).for_each(|(hits, rays)| {
@@ -47,7 +50,7 @@ impl View {
         SceneRay { origin, reach: FAR, dir, leaving: NOWHERE, reaching: NOWHERE }
     }
 
-    fn met(&self, hit: &Hit) -> Option<(f32, Vec3)> {
+    fn met(&self, hit: &Hit) -> Option<Met> {
         let surface = self.mesh.surfaces.get(hit.surface as usize)?;
         Some((hit.dist, surface.rectangle.normal))
     }
@@ -57,7 +60,7 @@ impl View {
         let ways: Vec<Vec3> = points.iter().map(|point| *point - self.camera.position()).collect();
         let directions: Vec<Vec3> = ways.iter().map(|way| way.normalize_or(Vec3::X)).collect();
         let met = self.meet(&directions);
-        let is_free = |(way, met): (&Vec3, Option<(f32, Vec3)>)| {
+        let is_free = |(way, met): (&Vec3, Option<Met>)| {
             met.is_none_or(|(dist, _)| dist >= way.length() * (1.0 - SAME) - slack)
         };
         ways.iter().zip(met).map(is_free).collect()
