@@ -166,9 +166,12 @@ fn arguments(profile: &str, entry: Option<&str>, output: DxcOutput) -> Result<Ve
     }
     // The text's operations as they stand, where it is to be run: DXC's optimiser makes `a / b` of `a * (1 / b)`, and what is
     // asked of a driver would be asked of the optimiser.
-    arguments.push(match output {
-        DxcOutput::Spirv | DxcOutput::Spirv2018 => "-O0",
-        DxcOutput::SpirvOptimized | DxcOutput::Dxil => "-O3",
+    arguments.extend(match output {
+        // Even without its optimiser, what it does to make shaders legal folds constants so: for 1 word of 200 of the passes
+        // of rectangles other bits than by every other road. Kernels are legal as they stand.
+        DxcOutput::Spirv => &["-O0", "-fcgl"][..],
+        DxcOutput::Spirv2018 => &["-O0"],
+        DxcOutput::SpirvOptimized | DxcOutput::Dxil => &["-O3"],
     });
     if output != DxcOutput::Dxil {
         // KHR's, and the one that binding arrays need: this DXC would else declare an NVIDIA extension for every subgroup
