@@ -226,6 +226,7 @@ pub const PASSES: &[FunctionRef] = &kernels![
     pass::rect_laplace_pass,
     pass::rect_laplace_single_pass,
     pass::rect_laplace_fast_pass,
+    pass::rect_quadrature_pass,
     field::field_pass,
     field_tree::field_tree_pass,
     field::rect_field_pass,

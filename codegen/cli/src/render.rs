@@ -28,7 +28,7 @@ pub(crate) struct Args {
     /// The scene: glTF, or JSON in the format of tests/SCENES.md
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// direct, rect, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper or reference
+    /// direct, rect, rect-quadrature, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper or reference
     #[arg(long, default_value_t = Method::RectLaplace)]
     method: Method,
     /// What runs the passes, as `interp` or `spirv@lavapipe`

@@ -1,10 +1,12 @@
 //! Interreflection: the light that a glossy rectangle reflects of a distant source onto a surface.
 //!
-//! Two methods, and a matt surface's share:
+//! Three methods, and a matt surface's share:
 //!
 //! - [`laplace`] is our own closed form: the integrand at one spot times an effective area. Against a
 //!   numerical integral it is off by a factor of 1.06, where the other method, corrected, is off by 2.1.
-//!   Prefer it for glossy surfaces.
+//!   Prefer it where reflectances are constant: it is registered kernel by kernel, with a budget.
+//! - [`quadrature`] looks at the whole integrand at nine places for each lobe: off by a factor of 1.04 where the closed form
+//!   with a spot for each lobe is off by 1.19, and takes 1.2 times its time. Prefer it for pictures.
 //! - The method of [RectGlossy] puts a disk about the specular peak in place of the rectangle, and a lobe in
 //!   place of the disk. Prefer it where the lobe itself is wanted: it can be stored, and multiplied with any
 //!   other lobe; and it costs about half as much.
@@ -47,6 +49,7 @@ pub mod light;
 pub mod pass;
 pub mod peak;
 pub mod pixel;
+pub mod quadrature;
 pub mod reflection;
 pub mod shade;
 pub mod shadow;

@@ -7,7 +7,8 @@ use crate::brdf::Material;
 use crate::rect::Rectangle;
 use crate::rect::pixel::{
     RectBounce, RectPixel, rect_pixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace,
-    rect_pixel_laplace_fast, rect_pixel_laplace_single, rect_pixel_paper, rect_pixel_sg,
+    rect_pixel_laplace_fast, rect_pixel_laplace_single, rect_pixel_paper, rect_pixel_quadrature,
+    rect_pixel_sg,
 };
 use crate::scene::light::{Arriving, SceneLight, light_at};
 use crate::scene::{NOWHERE, Seen, Surface};
@@ -116,4 +117,10 @@ rect_pass!(
     /// The closed form with one evaluation: [`rect_pixel_laplace_fast`].
     rect_laplace_fast_pass,
     rect_pixel_laplace_fast
+);
+
+rect_pass!(
+    /// By nine places for each lobe: [`rect_pixel_quadrature`].
+    rect_quadrature_pass,
+    rect_pixel_quadrature
 );

@@ -12,8 +12,9 @@ use crate::rect::disk::rect_disk_radius;
 use crate::rect::laplace::{
     LaplaceIntegral, LaplaceReflector, Reflector, rect_laplace_bitangent, rect_laplace_fast_integral,
     rect_laplace_integral, rect_laplace_matt, rect_laplace_receiver, rect_laplace_reflector,
-    rect_laplace_split,
+    rect_laplace_split, rect_laplace_turn,
 };
+use crate::rect::quadrature::{QuadratureIntegral, rect_quadrature};
 use crate::rect::reflection::{DistantLight, Reflection, rect_reflection, rect_reflection_paper};
 use crate::rect::shade::{RectShade, ShadeForm, rect_shade, rect_shade_within};
 use crate::rect::{GlossyReceiver, Rectangle};
@@ -250,6 +251,34 @@ pub fn rect_pixel_laplace_fast(bounce: RectBounce) -> RectPixel {
         diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
     }
+}
+
+/// A pixel out of the integrals of [`quadrature`](crate::rect::quadrature), with the reflectances of both materials.
+#[kernel]
+pub fn rect_quadrature_colour(bounce: RectBounce, integral: QuadratureIntegral) -> RectPixel {
+    let reflector = bounce.reflector;
+    let receiver = bounce.receiver;
+    let rise = Vec3::splat(reflector.f90) - reflector.f0;
+    let other_rise = Vec3::splat(receiver.f90) - receiver.f0;
+    let parts = integral.glossy;
+    let by_normal = parts.x * reflector.f0 + parts.y * rise;
+    let by_grazing = parts.z * reflector.f0 + parts.w * rise;
+    let irradiance = integral.matt.x * reflector.f0 + integral.matt.y * rise;
+    RectPixel {
+        specular: bounce.arriving.irradiance * (by_normal * receiver.f0 + by_grazing * other_rise),
+        diffuse: lambert_brdf(receiver.diffuse_albedo) * (bounce.arriving.irradiance * irradiance),
+        diffuse_of_diffuse: rect_pixel_matt(bounce),
+    }
+}
+
+/// The pixel by nine places for each lobe: [`rect_quadrature`].
+#[kernel]
+pub fn rect_pixel_quadrature(bounce: RectBounce) -> RectPixel {
+    let bitangent = rect_laplace_bitangent(bounce.rectangle);
+    let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
+    let reflector = rect_laplace_lit(bounce, bitangent);
+    let view = rect_laplace_turn(bounce.rectangle, bitangent, bounce.seen.view);
+    rect_quadrature_colour(bounce, rect_quadrature(reflector, receiver, view))
 }
 
 /// The sum of two pixels.

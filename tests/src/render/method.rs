@@ -7,6 +7,8 @@ pub enum Method {
     Direct,
     /// Rectangles, by the corrected method of the disk.
     Rect,
+    /// Rectangles, by our quadrature with nine places for each lobe.
+    RectQuadrature,
     /// Rectangles, by our closed form with a spot for each lobe.
     RectLaplace,
     /// Rectangles, by our closed form with one spot.
@@ -23,9 +25,10 @@ pub enum Method {
 
 impl Method {
     /// All, in the order of the documentation.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Direct,
         Self::Rect,
+        Self::RectQuadrature,
         Self::RectLaplace,
         Self::RectLaplaceSingle,
         Self::RectLaplaceFast,
@@ -40,6 +43,7 @@ impl Method {
         match self {
             Self::Direct => "direct",
             Self::Rect => "rect",
+            Self::RectQuadrature => "rect-quadrature",
             Self::RectLaplace => "rect-laplace",
             Self::RectLaplaceSingle => "rect-laplace-single",
             Self::RectLaplaceFast => "rect-laplace-fast",
@@ -54,6 +58,7 @@ impl Method {
     pub fn rect_pass(self) -> Option<&'static str> {
         match self {
             Self::Rect => Some("rect_pass"),
+            Self::RectQuadrature => Some("rect_quadrature_pass"),
             Self::RectLaplace => Some("rect_laplace_pass"),
             Self::RectLaplaceSingle => Some("rect_laplace_single_pass"),
             Self::RectLaplaceFast => Some("rect_laplace_fast_pass"),
