@@ -5,6 +5,7 @@ mod disk;
 mod falloff;
 mod laplace;
 mod matt;
+mod quadrature;
 mod shade;
 
 use lobe_codegen::prelude::*;
