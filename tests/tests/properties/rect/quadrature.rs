@@ -15,14 +15,14 @@ use proptest::prelude::*;
 use std::sync::Mutex;
 
 /// `exp(mean |ln(radiance/integral)|)`, at most.
-const STATED_FACTOR: f64 = 1.04;
+const STATED_FACTOR: f64 = 1.03;
 
 /// A glossy surface without a diffuse lobe.
 fn glossy(alpha: f32, f0: f32) -> Material {
     Material { diffuse_albedo: Vec3::ZERO, f0: Vec3::splat(f0), f90: 1.0, alpha }
 }
 
-/// A rectangle in its own frame, a pixel before it, a light and a viewer above the surfaces; distributions are no sharper
+/// A rectangle in its own frame, a pixel before it that rather faces it, a light and a viewer above the surfaces; distributions are no sharper
 /// than `alpha`.
 fn scene(alpha: f32) -> impl Strategy<Value = RectBounce> {
     let shape = (-1.3..0.5_f32, -1.3..0.5_f32, alpha..0.6_f32, alpha..0.6_f32, 0.0..1.0_f32);
@@ -31,6 +31,7 @@ fn scene(alpha: f32) -> impl Strategy<Value = RectBounce> {
         let (half_x, half_y) = (10.0_f32.powf(hx), 10.0_f32.powf(hy));
         let rectangle = Rectangle { position: Vec3::ZERO, normal: Vec3::Z, tangent: Vec3::X, half_x, half_y };
         let position = Vec3::new(px * (half_x + 0.5), py * (half_y + 0.5), 10.0_f32.powf(pz));
+        let n = (n - 0.9 * Vec3::Z).normalize_or(-Vec3::Z);
         let seen = Seen { position, surface: 0, normal: n, view: (v + 1.2 * n).normalize_or(n) };
         let dir = (light + 1.2 * Vec3::Z).normalize_or(Vec3::Z);
         RectBounce {
@@ -81,15 +82,16 @@ fn the_quadrature_is_as_near_to_the_integral_as_stated() {
     let found = Mutex::new(Vec::new());
     check(scene(0.1), |bounce| {
         let wanted = truth(&bounce);
-        prop_assume!(wanted > 1e-3);
-        let value = f64::from(rect_pixel_quadrature(bounce).specular.x);
-        found.lock().expect("no panic").push((value / wanted).ln().abs());
+        if wanted > 1e-3 {
+            let value = f64::from(rect_pixel_quadrature(bounce).specular.x);
+            found.lock().expect("no panic").push((value / wanted).ln().abs());
+        }
         Ok(())
     });
     let found = found.into_inner().expect("no panic");
     let factor = (found.iter().sum::<f64>() / found.len() as f64).exp();
     println!("{} scenes, off by a factor of {factor:.4}", found.len());
-    assert!(found.len() > 50, "only {} scenes are lit", found.len());
+    assert!(found.len() > 30, "only {} scenes are lit", found.len());
     assert!(factor < STATED_FACTOR, "off by a factor of {factor}");
 }
 
