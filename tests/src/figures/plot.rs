@@ -48,7 +48,7 @@ pub enum Corner {
 pub struct Series {
     /// Its name in the legend; none for an empty one.
     pub label: String,
-    /// Which colour of the palette.
+    /// Which colour of the palette, from the first again after the last.
     pub colour: usize,
     /// How.
     pub mark: Mark,

@@ -131,7 +131,7 @@ impl Writer {
     }
 
     fn series(&mut self, panel: &Panel, frame: Frame, series: &Series) {
-        let colour = self.palette.series[series.colour];
+        let colour = self.palette.series[series.colour % self.palette.series.len()];
         match &series.mark {
             Mark::Line(points) => {
                 let _ = writeln!(
@@ -197,7 +197,7 @@ impl Writer {
 
     /// The sign of a series, 22 wide.
     fn key(&mut self, x: f64, y: f64, series: &Series) {
-        let colour = self.palette.series[series.colour];
+        let colour = self.palette.series[series.colour % self.palette.series.len()];
         let end = x + 22.0;
         let _ = match series.mark {
             Mark::Line(_) => writeln!(

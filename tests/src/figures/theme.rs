@@ -22,8 +22,8 @@ pub struct Palette {
     pub frame: &'static str,
     /// Lines of the grid.
     pub grid: &'static str,
-    /// Curves: those of Okabe and Ito, which the colour-blind tell apart too, as light as the page permits.
-    pub series: [&'static str; 7],
+    /// Curves: the first four those of Okabe and Ito, which the colour-blind tell apart too, as light as the page permits.
+    pub series: [&'static str; 8],
 }
 
 impl Theme {
@@ -49,7 +49,9 @@ impl Theme {
                 quiet: "#59636e",
                 frame: "#8c959f",
                 grid: "#e4e8ec",
-                series: ["#0072b2", "#d55e00", "#009e73", "#a8538c", "#8a6d00", "#3a9bd0", "#1f2328"],
+                series: [
+                    "#0072b2", "#d55e00", "#009e73", "#a8538c", "#8a6d00", "#3a9bd0", "#b23a48", "#1f2328",
+                ],
             },
             Self::Dark => Palette {
                 page: "#0d1117",
@@ -57,7 +59,9 @@ impl Theme {
                 quiet: "#a5afba",
                 frame: "#6e7681",
                 grid: "#222932",
-                series: ["#56b4e9", "#f0a030", "#2fc497", "#e39cc8", "#f0e442", "#9aa7ff", "#f0f6fc"],
+                series: [
+                    "#56b4e9", "#f0a030", "#2fc497", "#e39cc8", "#f0e442", "#9aa7ff", "#ff7b72", "#f0f6fc",
+                ],
             },
         }
     }
