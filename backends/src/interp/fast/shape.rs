@@ -124,7 +124,7 @@ pub(super) unsafe fn set_cell<T: Lane, const N: usize>(m: &mut Machine<N>, at: u
 
 /// How many numbers long formulas take abreast: as many as fill a processor's waits.
 pub(super) const ABREAST: usize = 8;
-const _: () = assert!(super::LANES % ABREAST == 0);
+const _: () = assert!(super::LANES.is_multiple_of(ABREAST));
 
 /// A long function of lanes that lie an eighth of all apart, for the loop over them to become vectors.
 ///
