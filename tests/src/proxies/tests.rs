@@ -186,16 +186,15 @@ fn what_holds_the_limits_is_not_divided() {
     assert!(found.rectangles.len() < 1 + 3 * 32);
 }
 
-/// A wall of two triangles is larger than each of the last cells, and so no part of what is before it.
+/// Two walls of two triangles each, of which either half of space holds one, among leaves of its class.
 #[test]
 fn what_is_larger_than_its_cell_stays_by_itself() {
-    let wall = grid(1, 0, |s, t| Vec3::new(4.0 * s - 2.0, 4.0 * t - 2.0, -0.1))
-        .into_iter()
-        .map(|t| Triangle { two_sided: true, ..t });
-    let scene = scene_of(wall.chain(foliage(9, 200, 0.03)).collect());
-    let found = check(&scene, &Options { partition: Some(3), ..Options::default() });
-    let walls: Vec<&Proxy> = found.rectangles.iter().filter(|proxy| proxy.area() > 10.0).collect();
-    assert_eq!(walls.iter().map(|wall| (wall.triangles, wall.fill)).collect::<Vec<_>>(), [(2, 1.0)]);
+    let wall = |x: f32| grid(1, 0, move |s, t| Vec3::new(4.0 * s - 2.0 + x, 4.0 * t - 2.0, -0.1));
+    let walls = [wall(-1.0), wall(1.0)].concat().into_iter().map(|t| Triangle { two_sided: true, ..t });
+    let scene = scene_of(walls.chain(foliage(9, 200, 0.03)).collect());
+    let found = check(&scene, &Options { partition: Some(1), ..Options::default() });
+    let large: Vec<&Proxy> = found.rectangles.iter().filter(|proxy| proxy.area() > 10.0).collect();
+    assert_eq!(large.iter().map(|wall| (wall.triangles, wall.fill)).collect::<Vec<_>>(), [(2, 1.0); 2]);
 }
 
 /// Pieces that touch nowhere are merged too, those in one plane that leave least empty first.
