@@ -13,6 +13,7 @@ use lobe_tests::metrics::ReadError;
 use lobe_tests::oracle::{MappingError, TableError};
 use lobe_tests::overhead::OverheadError;
 use lobe_tests::proxies::ProxiesError;
+use lobe_tests::race::RaceError;
 use lobe_tests::render::FileError;
 use lobe_tests::report::merge::MergeError;
 use lobe_tests::throughput::BenchError;
@@ -88,6 +89,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Bench(#[from] BenchError),
     #[error(transparent)]
+    Race(#[from] RaceError),
+    #[error(transparent)]
     Overhead(#[from] OverheadError),
     #[error(transparent)]
     PictureFile(#[from] ReadError),
@@ -141,6 +144,7 @@ impl Fail {
             | Self::Explain(_)
             | Self::Export(ExportError::Exec(_) | ExportError::Disassembly { .. })
             | Self::Bench(_)
+            | Self::Race(_)
             | Self::Overhead(_)
             | Self::Picture(_)
             | Self::Sheet(_)

@@ -2,13 +2,14 @@
 
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
+use crate::paint::{self, Form};
 use crate::render::size;
-use crate::{paint, scene};
+use crate::scene;
 use lobe_codegen::prelude::Vec3;
 use lobe_tests::figures::proxies::Drawing;
 use lobe_tests::proxies::{DEEPEST, Options, proxies};
 use lobe_tests::scene::{Choices, Light};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -68,7 +69,8 @@ const ANY: Light = Light::Directional { to_light: Vec3::Y, irradiance: Vec3::ONE
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
-    let forms: Vec<Form> = args.picture.iter().map(|path| Form::of(path)).collect::<Result<_, _>>()?;
+    let forms: Vec<Form> =
+        args.picture.iter().map(|path| Form::of(path, "proxies")).collect::<Result<_, _>>()?;
     if let Some([width, height]) =
         args.size.filter(|size| size.iter().map(|n| u64::from(*n)).product::<u64>() > MOST_PIXELS)
     {
@@ -92,7 +94,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     if !forms.is_empty() {
         let drawing = Drawing::new(&scene, &found, args.size);
         for (path, form) in args.picture.iter().zip(forms) {
-            output::write_file(path, &form.bytes(&drawing)?)?;
+            output::write_file(path, &paint::drawn(&drawing, form)?)?;
         }
     }
     output::print(&match args.format {
@@ -100,32 +102,4 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         ListFormat::Json => json,
     })?;
     Ok(Outcome::Holds)
-}
-
-/// A form of picture.
-#[derive(Debug, Clone, Copy)]
-enum Form {
-    Png,
-    Svg,
-}
-
-impl Form {
-    fn of(path: &Path) -> Result<Self, Fail> {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-        match extension.as_deref() {
-            Some("png") => Ok(Self::Png),
-            Some("svg") => Ok(Self::Svg),
-            _ => {
-                let path = path.display();
-                Err(Fail::Usage(format!("{path}: proxies are drawn as .png or .svg; name one of them")))
-            }
-        }
-    }
-
-    fn bytes(self, drawing: &Drawing) -> Result<Vec<u8>, Fail> {
-        match self {
-            Self::Png => paint::png(drawing),
-            Self::Svg => Ok(paint::svg(drawing)?.into_bytes()),
-        }
-    }
 }

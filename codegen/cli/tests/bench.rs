@@ -76,5 +76,5 @@ fn methods_are_measured_beside_sampling() {
     assert!(std::fs::read_to_string(&plot).expect("the plot").contains("relative RMSE"));
     assert_fails(&lobe(&["bench", "--render", "nix.json"]), 2, &["nix.json"]);
     let name = folder.path().join("cost.gif").display().to_string();
-    assert_fails(&lobe(&["bench", "--render", SCENE, "--plot", &name]), 2, &["cost.gif", ".svg or .png"]);
+    assert_fails(&lobe(&["bench", "--render", SCENE, "--plot", &name]), 2, &["cost.gif", ".png or .svg"]);
 }

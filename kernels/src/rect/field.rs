@@ -25,6 +25,15 @@ pub const FIELD_LIST: u32 = 8;
 #[kernel]
 pub const FIELD_TEXEL: u32 = 16;
 
+/// A list in the making, the brightest first; [`NOWHERE`] where there is no rectangle.
+#[kernel]
+pub struct FieldRanks {
+    /// What each sends; -1 where there is none.
+    pub weights: [f32; 8],
+    /// Their indices.
+    pub ids: [u32; 8],
+}
+
 /// The texture, and which list is made.
 #[kernel]
 pub struct FieldSettings {
@@ -90,6 +99,28 @@ pub fn field_weight(
     glossy + diffuse * luminance(material.diffuse_albedo * arriving.irradiance)
 }
 
+/// The list with a rectangle in its place among the first `most`, those behind it one place on.
+///
+/// Of equal weights the lower index comes first.
+#[kernel]
+pub fn field_ranked(ranks: FieldRanks, most: u32, index: u32, weight: f32) -> FieldRanks {
+    let mut weights = ranks.weights;
+    let mut ids = ranks.ids;
+    let mut sinking = index;
+    let mut own = weight;
+    for place in 0..most {
+        let other = weights[place as usize];
+        let displaced = ids[place as usize];
+        if own > other || (own == other && sinking < displaced) {
+            weights[place as usize] = own;
+            ids[place as usize] = sinking;
+            own = other;
+            sinking = displaced;
+        }
+    }
+    FieldRanks { weights, ids }
+}
+
 /// Lists the rectangles that send most light to each texel, the brightest first: a pass, an invocation a texel.
 ///
 /// Every rectangle is tried; [`field_tree_pass`](super::field_tree::field_tree_pass) gives the same lists. Of two that send as
@@ -112,8 +143,7 @@ pub fn field_pass(
     let side = field_settings.side;
     let rectangle = surfaces[(i / (side * side)) as usize].rectangle;
     let position = field_middle(side, i, rectangle);
-    let mut weights = [-1.0_f32; 8];
-    let mut ids = [NOWHERE; 8];
+    let mut ranks = FieldRanks { weights: [-1.0_f32; 8], ids: [NOWHERE; 8] };
     for k in field_settings.first..field_settings.first + field_settings.count {
         let proxy = proxies[k as usize];
         let material = materials[proxy.material as usize];
@@ -122,22 +152,11 @@ pub fn field_pass(
             let arriving = light_share(lights[l as usize], proxy);
             weight += field_weight(proxy, material, arriving, position, rectangle.normal);
         }
-        // Sinks into the list, and what it displaces sinks on.
-        let mut sinking = k;
-        for place in 0..field_settings.most {
-            let other = weights[place as usize];
-            let displaced = ids[place as usize];
-            if weight > other || (weight == other && sinking < displaced) {
-                weights[place as usize] = weight;
-                ids[place as usize] = sinking;
-                weight = other;
-                sinking = displaced;
-            }
-        }
+        ranks = field_ranked(ranks, field_settings.most, k, weight);
     }
     let begin = i * FIELD_TEXEL + field_settings.list;
     for place in 0..FIELD_LIST {
-        field[(begin + place) as usize] = ids[place as usize];
+        field[(begin + place) as usize] = ranks.ids[place as usize];
     }
 }
 

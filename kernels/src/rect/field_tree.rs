@@ -13,7 +13,9 @@
 
 use crate::brdf::Material;
 use crate::constants::PI;
-use crate::rect::field::{FIELD_LIST, FIELD_TEXEL, FieldSettings, field_middle, field_weight};
+use crate::rect::field::{
+    FIELD_LIST, FIELD_TEXEL, FieldRanks, FieldSettings, field_middle, field_ranked, field_weight,
+};
 use crate::rect::pass::{RectProxy, light_share};
 use crate::scene::light::SceneLight;
 use crate::scene::{NOWHERE, Surface};
@@ -175,8 +177,7 @@ pub fn field_tree_pass(
     let rectangle = surfaces[(i / (side * side)) as usize].rectangle;
     let position = field_middle(side, i, rectangle);
     let last = field_settings.most - 1;
-    let mut weights = [-1.0_f32; 8];
-    let mut ids = [NOWHERE; 8];
+    let mut ranks = FieldRanks { weights: [-1.0_f32; 8], ids: [NOWHERE; 8] };
     let mut waiting = [0_u32; 32];
     let mut bounds = [0.0_f32; 32];
     bounds[0] = 1e30;
@@ -184,12 +185,12 @@ pub fn field_tree_pass(
     while count > 0 {
         // Invocations that run together find a leaf each, and weigh them together: that is what takes time.
         let mut leaf = NOWHERE;
-        let least = weights[last as usize];
+        let least = ranks.weights[last as usize];
         while count > 0 && leaf == NOWHERE {
             count -= 1;
             let node = field_nodes[waiting[count as usize] as usize];
             let bound = bounds[count as usize];
-            if bound > least || (bound == least && node.least <= ids[last as usize]) {
+            if bound > least || (bound == least && node.least <= ranks.ids[last as usize]) {
                 if node.is_leaf == 1 {
                     leaf = node.first;
                 } else {
@@ -226,21 +227,11 @@ pub fn field_tree_pass(
                 let arriving = light_share(lights[l as usize], proxy);
                 weight += field_weight(proxy, material, arriving, position, rectangle.normal);
             }
-            let mut sinking = leaf;
-            for place in 0..field_settings.most {
-                let other = weights[place as usize];
-                let displaced = ids[place as usize];
-                if weight > other || (weight == other && sinking < displaced) {
-                    weights[place as usize] = weight;
-                    ids[place as usize] = sinking;
-                    weight = other;
-                    sinking = displaced;
-                }
-            }
+            ranks = field_ranked(ranks, field_settings.most, leaf, weight);
         }
     }
     let begin = i * FIELD_TEXEL + field_settings.list;
     for place in 0..FIELD_LIST {
-        field[(begin + place) as usize] = ids[place as usize];
+        field[(begin + place) as usize] = ranks.ids[place as usize];
     }
 }

@@ -8,14 +8,14 @@ mod plot;
 
 pub use plot::plot;
 
+use crate::metrics::{Image, Pair, PairError, Radiometry, radiometry};
 use crate::proxies::Proxies;
-use crate::render::{Method, Picture, Renderer, Settings};
+use crate::render::{Method, Renderer, Settings};
 use crate::scene::Scene;
 use crate::throughput::{median, order};
 use clock::Clock;
 use lobe_backends::executor::ExecError;
 use lobe_backends::pipeline::{Dispatcher, Interpreted};
-use lobe_codegen::glam::Vec3;
 
 /// The layer that is compared.
 const LAYER: &str = "indirect_specular_fromspec_novis";
@@ -56,7 +56,7 @@ pub struct Effort {
     pub samples: Option<u32>,
     /// Pixels of the picture.
     pub pixels: usize,
-    /// Rectangles, each of which every pixel sums for each light.
+    /// Sides of rectangles that reflect, each of which every pixel sums for each light.
     pub rectangles: usize,
     /// Lights.
     pub lights: usize,
@@ -66,10 +66,10 @@ pub struct Effort {
     pub seconds: f64,
     /// That a pixel, rectangle and light.
     pub nanoseconds: f64,
-    /// Mean of the picture over that of the truth.
-    pub mean_ratio: f64,
-    /// Root of the mean squared error over the truth's mean.
-    pub relative_rmse: f64,
+    /// [`Radiometry::mean_ratio`] of the layer.
+    pub mean_ratio: Option<f64>,
+    /// [`Radiometry::relative_rmse`] of the layer.
+    pub relative_rmse: Option<f64>,
     /// How many times as long sampling takes to the same error.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sampling_ratio: Option<f64>,
@@ -90,6 +90,50 @@ impl Runner {
         rectangles.chain(sampling).collect()
     }
 
+    /// The layer that it makes.
+    fn run<'p>(
+        self,
+        renderer: &'p Renderer,
+        course: Course<'_>,
+        dispatcher: &mut dyn Dispatcher<'p>,
+    ) -> Result<Image, ExecError> {
+        let settings = Settings {
+            method: self.method,
+            samples: self.samples.unwrap_or_default(),
+            ..Settings::default()
+        };
+        let picture = renderer.render(course.scene, course.proxies, &settings, dispatcher, &|_| {})?;
+        Ok(Image { size: picture.size, pixels: picture.layer(LAYER).unwrap_or_default().to_vec() })
+    }
+
+    fn pair<'a>(self, image: &'a Image, truth: &'a Image) -> Result<Pair<'a>, RaceError> {
+        Pair::new(image, truth).map_err(|cause| RaceError::Pair { method: self.method, cause })
+    }
+
+    fn effort(self, course: Course<'_>, route: &str, times: Vec<f64>, found: &Radiometry) -> Effort {
+        let [width, height] = course.scene.camera.size;
+        let pixels = width as usize * height as usize;
+        let sides = course.proxies.rectangles.iter().map(|proxy| 1 + usize::from(proxy.two_sided));
+        let (rectangles, lights) = (sides.sum(), course.scene.lights.len());
+        let rounds = times.len();
+        let seconds = median(times);
+        Effort {
+            scene: course.name.to_owned(),
+            route: route.to_owned(),
+            method: self.method.name(),
+            samples: self.samples,
+            pixels,
+            rectangles,
+            lights,
+            rounds,
+            seconds,
+            nanoseconds: seconds * 1e9 / (pixels * rectangles * lights) as f64,
+            mean_ratio: found.mean_ratio,
+            relative_rmse: found.relative_rmse,
+            sampling_ratio: None,
+        }
+    }
+
     /// Whether a pass is of those that find its light. Shadows are not: the layer has none.
     fn counts(self, pass: &str) -> bool {
         match self.method.rect_pass() {
@@ -99,106 +143,75 @@ impl Runner {
     }
 }
 
+/// Why there is no race.
+#[derive(Debug, thiserror::Error)]
+pub enum RaceError {
+    /// A pass was not run.
+    #[error(transparent)]
+    Exec(#[from] ExecError),
+    /// A method's picture is none that can be compared.
+    #[error("{method} cannot be compared with the truth: {cause}")]
+    Pair {
+        /// The method.
+        method: Method,
+        /// Why.
+        cause: PairError,
+    },
+}
+
 /// Runs all methods over a course.
 ///
 /// # Errors
-/// When a pass cannot be run by `dispatcher`.
+/// When a pass cannot be run by `dispatcher`, or leaves what is no light.
 pub fn race<'p>(
     renderer: &'p Renderer,
     course: Course<'_>,
     dispatcher: &mut dyn Dispatcher<'p>,
     rules: Rules,
-) -> Result<Vec<Effort>, ExecError> {
-    let truth = run(renderer, course, Method::Reference, rules.truth, &mut Interpreted::default())?;
-    let truth = truth.layer(LAYER).unwrap_or_default();
+) -> Result<Vec<Effort>, RaceError> {
+    let reference = Runner { method: Method::Reference, samples: Some(rules.truth) };
+    let truth = reference.run(renderer, course, &mut Interpreted::default())?;
     let runners = Runner::all();
     let mut times = vec![Vec::with_capacity(rules.rounds); runners.len()];
-    let mut errors = vec![Error::default(); runners.len()];
-    let route = dispatcher.route().to_string();
+    let mut left = vec![None; runners.len()];
     for round in 0..=rules.rounds {
         for at in order(runners.len(), round) {
-            let runner = runners[at];
             let mut clock = Clock::new(dispatcher);
-            let picture =
-                run(renderer, course, runner.method, runner.samples.unwrap_or_default(), &mut clock)?;
-            errors[at] = Error::of(picture.layer(LAYER).unwrap_or_default(), truth);
+            left[at] = Some(runners[at].run(renderer, course, &mut clock)?);
             if round > 0 {
-                times[at].push(clock.seconds(|pass| runner.counts(pass)));
+                times[at].push(clock.seconds(|pass| runners[at].counts(pass)));
             }
         }
     }
-    let rectangles = course.proxies.rectangles.len();
-    let lights = course.scene.lights.len();
-    let effort = |at: usize| {
-        let seconds = median(times[at].clone());
-        Effort {
-            scene: course.name.to_owned(),
-            route: route.clone(),
-            method: runners[at].method.name(),
-            samples: runners[at].samples,
-            pixels: truth.len(),
-            rectangles,
-            lights,
-            rounds: rules.rounds,
-            seconds,
-            nanoseconds: seconds * 1e9 / (truth.len() * rectangles * lights) as f64,
-            mean_ratio: errors[at].mean_ratio,
-            relative_rmse: errors[at].relative_rmse,
-            sampling_ratio: None,
-        }
-    };
-    let mut efforts: Vec<Effort> = (0..runners.len()).map(effort).collect();
+    let route = dispatcher.route().to_string();
+    let mut efforts = Vec::with_capacity(runners.len());
+    for ((runner, times), image) in runners.iter().zip(times).zip(left.iter().flatten()) {
+        let found = radiometry(&runner.pair(image, &truth)?);
+        efforts.push(runner.effort(course, &route, times, &found));
+    }
     compare_with_sampling(&mut efforts);
     Ok(efforts)
 }
 
-fn run<'p>(
-    renderer: &'p Renderer,
-    course: Course<'_>,
-    method: Method,
-    samples: u32,
-    dispatcher: &mut dyn Dispatcher<'p>,
-) -> Result<Picture, ExecError> {
-    let settings = Settings { method, samples, ..Settings::default() };
-    renderer.render(course.scene, course.proxies, &settings, dispatcher, &|_| {})
-}
-
 /// Sampling's squared error times its time is one number, but for what each start costs: that of the most samples counts.
 fn compare_with_sampling(efforts: &mut [Effort]) {
-    let Some(most) = efforts.iter().filter(|e| e.samples.is_some()).max_by_key(|e| e.samples) else { return };
-    let work = most.relative_rmse * most.relative_rmse * most.seconds;
-    for effort in efforts.iter_mut().filter(|e| e.samples.is_none()) {
-        effort.sampling_ratio = Some(work / (effort.relative_rmse * effort.relative_rmse) / effort.seconds);
+    let most = efforts.iter().filter(|effort| effort.samples.is_some()).max_by_key(|effort| effort.samples);
+    let Some(work) = most.and_then(Effort::work) else { return };
+    for effort in efforts.iter_mut().filter(|effort| effort.samples.is_none()) {
+        effort.sampling_ratio = effort.work().filter(|own| *own > 0.0).map(|own| work / own);
     }
 }
 
-/// How far a layer is from the truth.
-#[derive(Debug, Clone, Copy, Default)]
-struct Error {
-    mean_ratio: f64,
-    relative_rmse: f64,
-}
-
-impl Error {
-    fn of(layer: &[Vec3], truth: &[Vec3]) -> Self {
-        let sum = |layer: &[Vec3]| layer.iter().map(|p| p.as_dvec3().element_sum()).sum::<f64>();
-        let squares = layer.iter().zip(truth).map(|(a, b)| (a.as_dvec3() - b.as_dvec3()).length_squared());
-        let mean = sum(truth) / (3 * truth.len()) as f64;
-        let root = (squares.sum::<f64>() / (3 * truth.len()) as f64).sqrt();
-        Self { mean_ratio: sum(layer) / sum(truth), relative_rmse: root / mean }
+impl Effort {
+    /// The squared error times the time.
+    fn work(&self) -> Option<f64> {
+        self.relative_rmse.map(|error| error * error * self.seconds)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn errors_of_a_layer() {
-        let truth = [Vec3::splat(1.0), Vec3::splat(3.0)];
-        let found = Error::of(&[Vec3::splat(2.0), Vec3::splat(4.0)], &truth);
-        assert_eq!((found.mean_ratio, found.relative_rmse), (1.5, 0.5));
-    }
 
     #[test]
     fn sampling_of_a_hundredth_of_the_error_takes_ten_thousand_times_as_long() {
@@ -213,8 +226,8 @@ mod tests {
             rounds: 1,
             seconds,
             nanoseconds: 0.0,
-            mean_ratio: 1.0,
-            relative_rmse,
+            mean_ratio: Some(1.0),
+            relative_rmse: Some(relative_rmse),
             sampling_ratio: None,
         };
         let mut efforts = [effort(None, 2.0, 0.01), effort(Some(4), 0.5, 9.0), effort(Some(16), 2.0, 1.0)];

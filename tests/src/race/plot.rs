@@ -30,10 +30,10 @@ pub fn plot(efforts: &[Effort]) -> Figure {
 fn panel(scene: &str, efforts: &[&Effort], has_legend: bool) -> Panel {
     let points = efforts.iter().filter(|effort| effort.samples.is_none()).enumerate();
     let dots = points.map(|(colour, effort)| {
-        Series::new(effort.method, colour + 1, Mark::Dots(vec![(effort.nanoseconds, effort.relative_rmse)]))
+        Series::new(effort.method, colour + 1, Mark::Dots(place(effort).into_iter().collect()))
     });
     let sampling = efforts.iter().filter(|effort| effort.samples.is_some());
-    let curve = sampling.map(|effort| (effort.nanoseconds, effort.relative_rmse)).collect();
+    let curve = sampling.filter_map(|effort| place(effort)).collect();
     Panel {
         title: scene.to_owned(),
         x: Axis::log("ns a pixel, rectangle and light", 1, 6, 1),
@@ -41,4 +41,9 @@ fn panel(scene: &str, efforts: &[&Effort], has_legend: bool) -> Panel {
         series: [Series::new("sampling", 0, Mark::Line(curve))].into_iter().chain(dots).collect(),
         legend: has_legend.then_some(Corner::BottomRight),
     }
+}
+
+/// Where an effort is; nowhere if the truth is black.
+fn place(effort: &Effort) -> Option<(f64, f64)> {
+    effort.relative_rmse.map(|error| (effort.nanoseconds, error))
 }

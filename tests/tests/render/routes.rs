@@ -31,14 +31,15 @@ fn check(name: &str, settings: &Settings, size: [u32; 2]) {
 
 #[test]
 fn rectangles_on_every_route() {
-    for method in [Method::RectPaper, Method::RectLaplace, Method::RectQuadrature] {
-        check("cornell_L0.json", &Settings { method, ..Settings::default() }, [8, 8]);
+    check("cornell_L0.json", &Settings::default(), [8, 8]);
+    for method in [Method::RectPaper, Method::RectQuadrature] {
+        check("plates_a010.json", &Settings { method, ..Settings::default() }, [6, 6]);
     }
 }
 
 #[test]
 fn shadows_on_every_route() {
-    check("cornell_L0.json", &Settings { shadows: true, ..Settings::default() }, [4, 4]);
+    check("plates_a010.json", &Settings { shadows: true, ..Settings::default() }, [4, 4]);
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use super::{Args, SCHEMA};
 use crate::fail::{Fail, Outcome};
-use crate::figures::Painter;
 use crate::output::{self, ListFormat};
+use crate::paint::{Form, Painter};
 use crate::scene;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::Machine;
@@ -19,7 +19,7 @@ const SIZE: [u32; 2] = [128; 2];
 
 /// Measures on all scenes and routes.
 pub(super) fn run(args: &Args) -> Result<Outcome, Fail> {
-    let plot = args.plot.as_ref().map(|path| Ok::<_, Fail>((path, Form::of(path)?))).transpose()?;
+    let plot = args.plot.as_ref().map(|path| Ok::<_, Fail>((path, Form::of(path, "plots")?))).transpose()?;
     let machine = Machine::look();
     let renderer = Renderer::new()?;
     let usual = Route::Gpu { road: Road::Spirv, driver: "lavapipe".to_owned() };
@@ -39,36 +39,14 @@ pub(super) fn run(args: &Args) -> Result<Outcome, Fail> {
         }
     }
     if let Some((path, form)) = plot {
-        output::write_file(path, &form.bytes(&svg::render(&race::plot(&all), Theme::Light))?)?;
+        let text = svg::render(&race::plot(&all), Theme::Light);
+        let bytes = match form {
+            Form::Png => Painter::new().png(&text)?,
+            Form::Svg => text.into_bytes(),
+        };
+        output::write_file(path, &bytes)?;
     }
     Ok(Outcome::Holds)
-}
-
-/// A form of picture.
-#[derive(Debug, Clone, Copy)]
-enum Form {
-    Svg,
-    Png,
-}
-
-impl Form {
-    fn of(path: &Path) -> Result<Self, Fail> {
-        match path.extension().and_then(|e| e.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Fail::Usage(format!(
-                "{}: plots are written as .svg or .png; name one of them",
-                path.display()
-            ))),
-        }
-    }
-
-    fn bytes(self, svg: &str) -> Result<Vec<u8>, Fail> {
-        match self {
-            Self::Svg => Ok(svg.as_bytes().to_vec()),
-            Self::Png => Painter::new().png(svg),
-        }
-    }
 }
 
 /// A scene's name: that of its file.
@@ -85,15 +63,17 @@ fn shown(efforts: &[Effort], format: ListFormat) -> String {
 
 fn human(effort: &Effort) -> String {
     let Effort { scene, route, method, seconds, nanoseconds, mean_ratio, relative_rmse, .. } = effort;
+    let number = |value: &Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
     let method = match effort.samples {
         Some(samples) => format!("{method} {samples}"),
         None => (*method).to_owned(),
     };
     let sampling = effort.sampling_ratio.map(|ratio| format!("  {ratio:8.1} x as long by sampling"));
     format!(
-        "{scene:14} {route:16} {method:20} {:9.2} ms {nanoseconds:10.1} ns a pixel, rectangle, light  mean {mean_ratio:.3}  \
-         RMSE {relative_rmse:.3}{}\n",
+        "{scene:14} {route:16} {method:20} {:9.2} ms {nanoseconds:10.1} ns a pixel, rectangle, light  mean {}  RMSE {}{}\n",
         seconds * 1e3,
+        number(mean_ratio),
+        number(relative_rmse),
         sampling.unwrap_or_default()
     )
 }

@@ -1,9 +1,36 @@
 //! Pictures out of pixels and strokes.
 
+mod figure;
+
+pub(crate) use figure::Painter;
+
 use crate::fail::Fail;
 use lobe_tests::figures::proxies::Drawing;
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8, Transform};
 use resvg::usvg::{Options, Tree};
+use std::path::Path;
+
+/// A form of file for what is drawn.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Form {
+    Png,
+    Svg,
+}
+
+impl Form {
+    /// The form that a file's name asks for; `what` is drawn.
+    pub(crate) fn of(path: &Path, what: &str) -> Result<Self, Fail> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("svg") => Ok(Self::Svg),
+            _ => {
+                let path = path.display();
+                Err(Fail::Usage(format!("{path}: {what} are drawn as .png or .svg; name one of them")))
+            }
+        }
+    }
+}
 
 fn defect(why: &dyn std::fmt::Display) -> Fail {
     Fail::Defect(format!("a picture cannot be painted: {why}"))
@@ -35,12 +62,10 @@ pub(crate) fn painted(drawing: &Drawing) -> Result<Vec<u8>, Fail> {
     Ok(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect())
 }
 
-/// A drawing as a PNG file.
-pub(crate) fn png(drawing: &Drawing) -> Result<Vec<u8>, Fail> {
-    rgb(drawing.size, &painted(drawing)?)
-}
-
-/// A drawing as an SVG file.
-pub(crate) fn svg(drawing: &Drawing) -> Result<String, Fail> {
-    Ok(drawing.svg(&rgb(drawing.size, &drawing.ground)?))
+/// A drawing as a file.
+pub(crate) fn drawn(drawing: &Drawing, form: Form) -> Result<Vec<u8>, Fail> {
+    match form {
+        Form::Png => rgb(drawing.size, &painted(drawing)?),
+        Form::Svg => Ok(drawing.svg(&rgb(drawing.size, &drawing.ground)?).into_bytes()),
+    }
 }
