@@ -67,6 +67,7 @@ pub mod rect;
 pub mod reference;
 pub mod references;
 pub mod registry;
+pub mod rsm;
 pub mod scene;
 pub mod sg;
 pub mod special;

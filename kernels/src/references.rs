@@ -19,6 +19,8 @@ references! {
     /// R. L. Cook, K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics
     /// 1 (1), 1982.
     CookTorrance82;
+    /// C. Dachsbacher, M. Stamminger, Reflective Shadow Maps, Interactive 3D Graphics and Games, 2005.
+    DachsbacherStamminger05;
     /// T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani, R. Villemin, Building an Orthonormal
     /// Basis, Revisited, Journal of Computer Graphics Techniques 6 (1), 2017.
     Duff17;
@@ -36,6 +38,8 @@ references! {
     Heitz18;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
+    /// W. D. Hillis, G. L. Steele, Data Parallel Algorithms, Communications of the ACM 29 (12), 1986.
+    HillisSteele86;
     /// T. Ize, Robust BVH Ray Traversal, Journal of Computer Graphics Techniques 2 (2), 2013.
     Ize13;
     /// K. Iwasaki, Y. Dobashi, T. Nishita, Interactive Bi-scale Editing of Highly Glossy Materials,
@@ -62,6 +66,8 @@ references! {
     /// T. Ritschel, E. Eisemann, I. Ha, J. D. K. Kim, H.-P. Seidel, Making Imperfect Shadow Maps View-Adaptive:
     /// High-Quality Global Illumination in Large Dynamic Scenes, Computer Graphics Forum 30 (8), 2011.
     Ritschel11;
+    /// P. Shirley, K. Chiu, A Low Distortion Map Between Disk and Square, Journal of Graphics Tools 2 (3), 1997.
+    ShirleyChiu97;
     /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.
     Schlick94;
     /// M. Toksvig, Mipmapping Normal Maps, Journal of Graphics Tools 10 (3), 2005.

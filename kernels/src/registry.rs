@@ -5,7 +5,7 @@ use crate::rect::{
     angle, attenuation, chain, diffuse, disk, energy, field, field_tree, laplace, light, pass, peak,
     reflection, shade, shadow,
 };
-use crate::{asg, brdf, filter, hsg, reference, scene, sg, special, vsgl};
+use crate::{asg, brdf, filter, hsg, reference, rsm, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
 use lobe_codegen::kernels;
 
@@ -234,4 +234,26 @@ pub const PASSES: &[FunctionRef] = &kernels![
     shadow::rect_shadowed_pass,
     reference::pass::bounce_sample_pass,
     reference::pass::bounce_mean_pass,
+    rsm::view::map_ray_pass,
+    rsm::point::map_point_pass,
+    rsm::point::seen_point_pass,
+    rsm::chain::chain_first_pass,
+    rsm::chain::chain_pass,
+    rsm::density::view_light_pass,
+    rsm::density::view_point_pass,
+    rsm::density::density_pass,
+    rsm::density::density_point_pass,
+    rsm::scan::scan_pass,
+    rsm::scan::scan_block_pass,
+    rsm::draw::light_draw_pass,
+    rsm::shadow::virtual_ray_pass,
+    rsm::shade::vpl_pass,
+    rsm::shade::vsl_pass,
+    rsm::shade::vsgl_pass,
+    rsm::shade::vsgl_reduced_pass,
+    rsm::wide::wide_light_pass,
+    rsm::shade::vsl_wide_pass,
+    rsm::two::whole_light_pass,
+    rsm::two::vsgl_two_pass,
+    rsm::two::vsgl_two_paper_pass,
 ];

@@ -29,6 +29,7 @@ mod route;
 mod run;
 mod scene;
 mod select;
+mod virtual_lights;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use fail::{Fail, Outcome};

@@ -3,6 +3,7 @@
 use crate::fail::{Fail, Outcome};
 use crate::output;
 use crate::scene;
+use crate::virtual_lights::VirtualArgs;
 use indicatif::ProgressBar;
 use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, OpenError, State};
@@ -28,7 +29,7 @@ pub(crate) struct Args {
     /// The scene: glTF, or JSON in the format of tests/SCENES.md
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// direct, rect, rect-quadrature, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper or reference
+    /// direct, rect, rect-quadrature, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper, vpl, vsl, vsl-wide, vsgl, vsgl2, vsgl2-paper or reference
     #[arg(long, default_value_t = Method::RectLaplace)]
     method: Method,
     /// What runs the passes, as `interp` or `spirv@lavapipe`
@@ -77,6 +78,8 @@ pub(crate) struct Args {
     /// Stops by which the PNG is brightened; chosen by the picture if not given
     #[arg(long, allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f32>,
+    #[command(flatten, next_help_heading = "Virtual lights (vpl, vsl, vsgl, vsgl2)")]
+    virtual_lights: VirtualArgs,
 }
 
 /// Runs the subcommand.
@@ -169,7 +172,7 @@ fn report(verdicts: &[PassVerdict]) -> Result<Outcome, Fail> {
 
 fn settings(args: &Args) -> Settings {
     let Args { method, samples, radius_factor, shadows, .. } = *args;
-    Settings { method, samples, radius_factor, shadows }
+    Settings { method, samples, radius_factor, shadows, virtual_lights: args.virtual_lights.settings() }
 }
 
 fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {

@@ -19,13 +19,25 @@ pub enum Method {
     RectSg,
     /// Rectangles, by the disk's method as printed.
     RectPaper,
+    /// Virtual point lights.
+    Vpl,
+    /// Virtual spherical lights, by directions drawn in their cones.
+    Vsl,
+    /// Virtual spherical lights with GGX lobes widened by their cones: our own.
+    VslWide,
+    /// Virtual spherical-Gaussian lights.
+    Vsgl,
+    /// Two of them, of the whole map.
+    Vsgl2,
+    /// The same, with the clamped cosine as printed.
+    Vsgl2Paper,
     /// By sampling: the truth, with its standard error.
     Reference,
 }
 
 impl Method {
     /// All, in the order of the documentation.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 15] = [
         Self::Direct,
         Self::Rect,
         Self::RectQuadrature,
@@ -34,6 +46,12 @@ impl Method {
         Self::RectLaplaceFast,
         Self::RectSg,
         Self::RectPaper,
+        Self::Vpl,
+        Self::Vsl,
+        Self::VslWide,
+        Self::Vsgl,
+        Self::Vsgl2,
+        Self::Vsgl2Paper,
         Self::Reference,
     ];
 
@@ -49,6 +67,12 @@ impl Method {
             Self::RectLaplaceFast => "rect-laplace-fast",
             Self::RectSg => "rect-sg",
             Self::RectPaper => "rect-paper",
+            Self::Vpl => "vpl",
+            Self::Vsl => "vsl",
+            Self::VslWide => "vsl-wide",
+            Self::Vsgl => "vsgl",
+            Self::Vsgl2 => "vsgl2",
+            Self::Vsgl2Paper => "vsgl2-paper",
             Self::Reference => "reference",
         }
     }
@@ -65,7 +89,14 @@ impl Method {
             Self::RectSg => Some("rect_sg_pass"),
             Self::RectPaper => Some("rect_paper_pass"),
             Self::Direct | Self::Reference => None,
+            Self::Vpl | Self::Vsl | Self::VslWide | Self::Vsgl | Self::Vsgl2 | Self::Vsgl2Paper => None,
         }
+    }
+
+    /// Whether it takes virtual lights out of reflective shadow maps.
+    #[must_use]
+    pub fn has_virtual_lights(self) -> bool {
+        matches!(self, Self::Vpl | Self::Vsl | Self::VslWide | Self::Vsgl | Self::Vsgl2 | Self::Vsgl2Paper)
     }
 }
 

@@ -13,6 +13,7 @@ mod method;
 mod picture;
 mod shadowed;
 mod upload;
+mod virtual_lights;
 
 pub use field::{FieldSearch, LightField};
 pub use field_tree::FieldTree;
@@ -22,6 +23,7 @@ pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
 pub use picture::{Layer, Picture};
 pub use upload::Uploaded;
+pub use virtual_lights::{Density, VirtualLights};
 
 use crate::proxies::Proxies;
 use crate::scene::Scene;
@@ -44,11 +46,19 @@ pub struct Settings {
     pub radius_factor: f32,
     /// Whether [`Method::RectLaplace`] asks for what stands between: one point for each rectangle and lobe.
     pub shadows: bool,
+    /// Virtual lights, of the methods that have them.
+    pub virtual_lights: VirtualLights,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { method: Method::RectLaplace, samples: 256, radius_factor: 3.0, shadows: false }
+        Self {
+            method: Method::RectLaplace,
+            samples: 256,
+            radius_factor: 3.0,
+            shadows: false,
+            virtual_lights: VirtualLights::default(),
+        }
     }
 }
 
@@ -113,6 +123,11 @@ impl Renderer {
     ) -> Result<Picture, ExecError> {
         let uploaded = Uploaded::new(scene, proxies);
         let slacks = uploaded.slacks.clone();
+        let mapped = virtual_lights::Mapped {
+            camera: uploaded.camera,
+            lights: uploaded.lights.clone(),
+            triangles: uploaded.bvh.triangles.clone(),
+        };
         let mut frame = Frame::new(&self.pipeline, uploaded, settings, dispatcher)?;
         frame.see()?;
         let mut picture = frame.direct()?;
@@ -125,6 +140,9 @@ impl Renderer {
                 None => frame.rectangles(pass, &mut picture)?,
             },
             (Method::Reference, None) => frame.bounces(&mut picture, progress)?,
+            (method, None) if method.has_virtual_lights() => {
+                frame.virtual_lights(&mapped, &mut picture, progress)?
+            }
             (_, None) => return Ok(picture),
         };
         picture.radiance = picture::sum(&picture.radiance, &indirect);

@@ -1,0 +1,66 @@
+//! Options of the methods `vpl`, `vsl`, `vsgl` and `vsgl2`.
+
+use lobe_tests::render::{Density, VirtualLights};
+
+/// Options of virtual lights.
+#[derive(Debug, clap::Args)]
+pub(crate) struct VirtualArgs {
+    /// Virtual lights, of all lights together
+    #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    lights: u32,
+    /// Texels along a side of a light's reflective shadow map
+    #[arg(long, value_name = "TEXELS", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    map: u32,
+    /// By what texels are drawn: vsgl, vpl or power
+    #[arg(long, default_value_t = Density::Vsgl)]
+    density: Density,
+    /// How many times its own square of the map a virtual light is read from; 0 for one texel
+    #[arg(short, long, value_name = "K", default_value_t = 4.0, value_parser = |text: &str| within(text, 0.0, 100.0))]
+    k: f32,
+    /// Take glossy lobes from one texel, unfiltered
+    #[arg(long)]
+    raw_lobes: bool,
+    /// Sharpness over its cone up to which a light's reflection is evaluated and not approximated; 0 for never
+    #[arg(long, value_name = "ALPHA", default_value_t = 0.001, value_parser = |text: &str| within(text, 0.0, 1.0))]
+    bias: f32,
+    /// What hides virtual lights from pixels: none or exact
+    #[arg(long, value_name = "HOW", default_value = "none", value_parser = ["none", "exact"])]
+    visibility: String,
+    /// Least distance of virtual point lights, in m
+    #[arg(long, value_name = "M", default_value_t = 0.0, value_parser = |text: &str| within(text, 0.0, 1e4))]
+    clamp: f32,
+    /// Directions for each virtual spherical light
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    directions: u32,
+    /// Pictures, each with lights of its own, whose mean is taken
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    frames: u32,
+    /// By how much radii shrink from one of these to the next
+    #[arg(long, default_value_t = 1.0, value_parser = |text: &str| within(text, 0.1, 1.0))]
+    shrink: f32,
+}
+
+impl VirtualArgs {
+    /// What the library takes.
+    pub(crate) fn settings(&self) -> VirtualLights {
+        VirtualLights {
+            count: self.lights,
+            map: self.map,
+            density: self.density,
+            smoothing: self.k,
+            filters_lobes: !self.raw_lobes,
+            bias: self.bias,
+            is_shadowed: self.visibility == "exact",
+            least_distance: self.clamp,
+            directions: self.directions,
+            frames: self.frames,
+            shrink: self.shrink,
+            ..VirtualLights::default()
+        }
+    }
+}
+
+fn within(text: &str, low: f32, high: f32) -> Result<f32, String> {
+    let value = text.parse().ok().filter(|value| (low..=high).contains(value));
+    value.ok_or_else(|| format!("`{text}` is no number from {low} to {high}"))
+}

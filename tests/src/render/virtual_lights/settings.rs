@@ -1,0 +1,95 @@
+//! How virtual lights are made and shone.
+
+/// By what the texels of a light's map are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Density {
+    /// By what they give lights with extent out of the camera's map.
+    Vsgl,
+    /// By what they give single pixels.
+    Vpl,
+    /// By the power that they reflect.
+    Power,
+}
+
+impl Density {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 3] = [Self::Vsgl, Self::Vpl, Self::Power];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Vsgl => "vsgl",
+            Self::Vpl => "vpl",
+            Self::Power => "power",
+        }
+    }
+}
+
+impl std::fmt::Display for Density {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for Density {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|density| density.name() == text);
+        found.ok_or_else(|| {
+            format!("`{text}` is no density; there are {}", Self::ALL.map(Self::name).join(", "))
+        })
+    }
+}
+
+/// How virtual lights are made and shone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VirtualLights {
+    /// How many, of all lights together.
+    pub count: u32,
+    /// Texels along a side of a light's map.
+    pub map: u32,
+    /// By what they are drawn.
+    pub density: Density,
+    /// Lights out of the camera's map by which the density is found, at most.
+    pub view_lights: u32,
+    /// Share that is drawn by reflected power alone.
+    pub floor_share: f32,
+    /// How many times its own square a light is read from; 0 for the texel alone.
+    pub smoothing: f32,
+    /// Whether glossy lobes are filtered, too.
+    pub filters_lobes: bool,
+    /// Up to which sharpness over its cone a light counts as smooth; 0 for never.
+    pub bias: f32,
+    /// Whether what stands between a pixel and a light hides it.
+    pub is_shadowed: bool,
+    /// Least distance of point lights, in m.
+    pub least_distance: f32,
+    /// Directions for each spherical light.
+    pub directions: u32,
+    /// Pictures whose mean it is, each with lights of its own; a single one takes the middles of strata and texels.
+    pub frames: u32,
+    /// By how much the radii of a picture are those of the one before.
+    pub shrink: f32,
+}
+
+impl Default for VirtualLights {
+    fn default() -> Self {
+        Self {
+            count: 1024,
+            map: 256,
+            density: Density::Vsgl,
+            view_lights: 64,
+            floor_share: 0.05,
+            smoothing: 4.0,
+            filters_lobes: true,
+            bias: 0.001,
+            is_shadowed: false,
+            least_distance: 0.0,
+            directions: 16,
+            frames: 1,
+            shrink: 1.0,
+        }
+    }
+}
