@@ -32,6 +32,8 @@ pub struct RectPixel {
     pub diffuse: Vec3,
     /// The pixel's diffuse lobe, of the rectangle's diffuse lobe.
     pub diffuse_of_diffuse: Vec3,
+    /// The pixel's glossy lobe, of the rectangle's diffuse lobe; by [`rect_pixel_quadrature`] alone, else 0.
+    pub specular_of_diffuse: Vec3,
 }
 
 /// A rectangle, its material and the light on it, and the pixel with its material.
@@ -93,15 +95,20 @@ pub fn rect_receiver_colour(bounce: RectBounce, towards: Vec3) -> Vec3 {
     microfacet_m(material.f0, material.f90, material.alpha, bounce.seen.normal, towards, bounce.seen.view)
 }
 
+/// What the rectangle's diffuse lobe reflects, by area: `ρ_r E (n·i)⁺`.
+#[kernel]
+pub fn rect_radiosity(bounce: RectBounce) -> Vec3 {
+    let incidence = max(dot(bounce.rectangle.normal, bounce.arriving.dir), 0.0);
+    incidence * (bounce.reflector.diffuse_albedo * bounce.arriving.irradiance)
+}
+
 /// What the pixel's diffuse lobe reflects of the rectangle's diffuse lobe.
 ///
 /// `ρ_x/π F ρ_r E (n·i)⁺`, with the form factor of [`rect_form_factor`]: exact but for the light's distance.
 #[kernel]
 pub fn rect_pixel_matt(bounce: RectBounce) -> Vec3 {
     let factor = rect_form_factor(bounce.rectangle, bounce.seen.position, bounce.seen.normal);
-    let incidence = max(dot(bounce.rectangle.normal, bounce.arriving.dir), 0.0);
-    let radiosity = incidence * (bounce.reflector.diffuse_albedo * bounce.arriving.irradiance);
-    factor * (lambert_brdf(bounce.receiver.diffuse_albedo) * radiosity)
+    factor * (lambert_brdf(bounce.receiver.diffuse_albedo) * rect_radiosity(bounce))
 }
 
 /// What the pixel's diffuse lobe reflects of a disk's lobe about `axis`.
@@ -123,6 +130,7 @@ pub fn rect_pixel_of_shade(bounce: RectBounce, axis: Vec3, shade: RectShade) -> 
         specular: radiance * colour,
         diffuse: rect_pixel_diffuse(bounce, axis, shade),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: Vec3::ZERO,
     }
 }
 
@@ -172,6 +180,7 @@ pub fn rect_pixel_sg(bounce: RectBounce, factor: f32) -> RectPixel {
         specular: radiance * colour,
         diffuse: rect_pixel_diffuse(bounce, axis, shade),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: Vec3::ZERO,
     }
 }
 
@@ -222,6 +231,7 @@ pub fn rect_pixel_laplace(bounce: RectBounce) -> RectPixel {
             + rect_laplace_colour(bounce, bitangent, split.by_receiver),
         diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: Vec3::ZERO,
     }
 }
 
@@ -236,6 +246,7 @@ pub fn rect_pixel_laplace_single(bounce: RectBounce) -> RectPixel {
         specular: rect_laplace_colour(bounce, bitangent, rect_laplace_integral(reflector, receiver)),
         diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: Vec3::ZERO,
     }
 }
 
@@ -250,6 +261,7 @@ pub fn rect_pixel_laplace_fast(bounce: RectBounce) -> RectPixel {
         specular: rect_laplace_colour(bounce, bitangent, rect_laplace_fast_integral(reflector, receiver)),
         diffuse: rect_laplace_matt_colour(bounce, bitangent, matt),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: Vec3::ZERO,
     }
 }
 
@@ -268,6 +280,8 @@ pub fn rect_quadrature_colour(bounce: RectBounce, integral: QuadratureIntegral) 
         specular: bounce.arriving.irradiance * (by_normal * receiver.f0 + by_grazing * other_rise),
         diffuse: lambert_brdf(receiver.diffuse_albedo) * (bounce.arriving.irradiance * irradiance),
         diffuse_of_diffuse: rect_pixel_matt(bounce),
+        specular_of_diffuse: (rect_radiosity(bounce) / PI)
+            * (integral.white.x * receiver.f0 + integral.white.y * other_rise),
     }
 }
 
@@ -288,11 +302,17 @@ pub fn rect_pixel_add(a: RectPixel, b: RectPixel) -> RectPixel {
         specular: a.specular + b.specular,
         diffuse: a.diffuse + b.diffuse,
         diffuse_of_diffuse: a.diffuse_of_diffuse + b.diffuse_of_diffuse,
+        specular_of_diffuse: a.specular_of_diffuse + b.specular_of_diffuse,
     }
 }
 
 /// A pixel without light.
 #[kernel]
 pub fn rect_pixel_dark() -> RectPixel {
-    RectPixel { specular: Vec3::ZERO, diffuse: Vec3::ZERO, diffuse_of_diffuse: Vec3::ZERO }
+    RectPixel {
+        specular: Vec3::ZERO,
+        diffuse: Vec3::ZERO,
+        diffuse_of_diffuse: Vec3::ZERO,
+        specular_of_diffuse: Vec3::ZERO,
+    }
 }

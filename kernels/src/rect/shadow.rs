@@ -198,6 +198,7 @@ pub fn rect_shadowed_pass(
                 specular: specular as f32 * found.specular,
                 diffuse: diffuse as f32 * found.diffuse,
                 diffuse_of_diffuse: matt as f32 * found.diffuse_of_diffuse,
+                specular_of_diffuse: Vec3::ZERO,
             };
             sum = rect_pixel_add(sum, kept);
         }

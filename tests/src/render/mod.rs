@@ -11,6 +11,7 @@ mod file;
 mod judged;
 mod method;
 mod picture;
+mod rectangles;
 mod shadowed;
 mod upload;
 mod virtual_lights;
@@ -31,7 +32,6 @@ use lobe_backends::executor::ExecError;
 use lobe_backends::pipeline::{Dispatcher, Memory, Pipeline};
 use lobe_codegen::glam::Vec3;
 use lobe_kernels::rect::pass::RectSettings;
-use lobe_kernels::rect::pixel::RectPixel;
 use lobe_kernels::registry::PASSES;
 use lobe_kernels::scene::direct::DirectPixel;
 
@@ -229,21 +229,5 @@ impl<'p, 'd> Frame<'p, 'd> {
             layer("direct_specular_novis", |p| p.unshadowed_specular),
         ];
         Ok(Picture { size: self.size, radiance: layers[0].pixels.clone(), layers })
-    }
-
-    /// The light of rectangles; adds its layers and returns their sum.
-    fn rectangles(&mut self, pass: &str, picture: &mut Picture) -> Result<Vec<Vec3>, ExecError> {
-        let pixels = self.pixels();
-        self.room("indirect", pixels)?;
-        self.dispatch(pass, pixels)?;
-        let found: Vec<RectPixel> = self.pipeline.unpack("indirect", self.memory.bytes("indirect"))?;
-        let mut add = |name: &str, of: fn(&RectPixel) -> Vec3| {
-            let pixels: Vec<Vec3> = found.iter().map(of).collect();
-            picture.layers.push(Layer { name: name.to_owned(), pixels });
-        };
-        add("indirect_specular_fromspec_novis", |p| p.specular);
-        add("indirect_diffuse_fromspec_novis", |p| p.diffuse);
-        add("indirect_diffuse_novis", |p| p.diffuse + p.diffuse_of_diffuse);
-        Ok(found.iter().map(|p| p.specular + p.diffuse + p.diffuse_of_diffuse).collect())
     }
 }

@@ -1,9 +1,8 @@
 //! The closed form with shadows: one rectangle after the other.
 
-use super::{Frame, Layer, Picture};
+use super::{Frame, Picture};
 use lobe_backends::executor::ExecError;
 use lobe_codegen::glam::Vec3;
-use lobe_kernels::rect::pixel::RectPixel;
 use lobe_kernels::rect::shadow::{SHADOW_RAYS, ShadowTurn};
 
 impl Frame<'_, '_> {
@@ -27,14 +26,6 @@ impl Frame<'_, '_> {
             self.dispatch("rect_shadowed_pass", pixels)?;
             progress((at + 1) as f32 / slacks.len() as f32);
         }
-        let found: Vec<RectPixel> = self.pipeline.unpack("indirect", self.memory.bytes("indirect"))?;
-        let mut add = |name: &str, of: fn(&RectPixel) -> Vec3| {
-            let pixels = found.iter().map(of).collect();
-            picture.layers.push(Layer { name: name.to_owned(), pixels });
-        };
-        add("indirect_specular_fromspec_vis", |p| p.specular);
-        add("indirect_diffuse_fromspec_vis", |p| p.diffuse);
-        add("indirect_diffuse_vis", |p| p.diffuse + p.diffuse_of_diffuse);
-        Ok(found.iter().map(|p| p.specular + p.diffuse + p.diffuse_of_diffuse).collect())
+        self.rectangle_layers("vis", picture)
     }
 }

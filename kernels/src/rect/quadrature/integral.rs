@@ -26,34 +26,41 @@ pub struct QuadratureIntegral {
     pub glossy: Vec4,
     /// Irradiance at the pixel, times 1, `s_r`.
     pub matt: Vec2,
+    /// Of the pixel's glossy lobe, of a rectangle of radiance 1, times 1, `s_x`.
+    pub white: Vec2,
 }
 
 /// What arrives where nothing can.
 #[kernel]
 pub fn rect_quadrature_nothing() -> QuadratureIntegral {
-    QuadratureIntegral { glossy: Vec4::ZERO, matt: Vec2::ZERO }
+    QuadratureIntegral { glossy: Vec4::ZERO, matt: Vec2::ZERO, white: Vec2::ZERO }
 }
 
-/// A place that stands for `glossy` of area in the integral of the glossy lobe, for `matt` in the other, and the sum so far.
+/// Adds a place that stands for `area`.
+///
+/// `side` is 0 for a place of the rectangle's lobe, 1 for one of the pixel's: each lobe takes its share of `glossy`, the
+/// rectangle's all of `matt`, the pixel's all of `white`.
 #[kernel]
 pub fn rect_quadrature_add(
     sum: QuadratureIntegral,
     at: QuadratureIntegrand,
-    glossy: f32,
-    matt: f32,
+    area: f32,
+    side: f32,
 ) -> QuadratureIntegral {
     let by_reflector = at.reflector_grazing;
     let by_receiver = at.receiver_grazing;
     let powers = Vec4::new(1.0, by_reflector, by_receiver, by_reflector * by_receiver);
     QuadratureIntegral {
-        glossy: sum.glossy + (glossy * at.glossy) * powers,
-        matt: sum.matt + (matt * at.matt) * Vec2::new(1.0, by_reflector),
+        glossy: sum.glossy + (abs(side - at.share) * area * at.glossy) * powers,
+        matt: sum.matt + ((1.0 - side) * area * at.matt) * Vec2::new(1.0, by_reflector),
+        white: sum.white + (side * area * at.white) * Vec2::new(1.0, by_receiver),
     }
 }
 
 /// Adds a lobe's part by three lines of three places each.
 ///
-/// `side` is 0 for the rectangle's lobe, whose places serve the diffuse lobe, too, and 1 for the pixel's.
+/// `side` is 0 for the rectangle's lobe, whose places serve the pixel's diffuse lobe, too, and 1 for the pixel's, whose
+/// places serve the rectangle's diffuse lobe.
 #[kernel]
 pub fn rect_quadrature_part(
     sum: QuadratureIntegral,
@@ -84,7 +91,7 @@ pub fn rect_quadrature_part(
             let place = rect_quadrature_seen(view, Vec2::new(x.place, y.place));
             let at = rect_quadrature_integrand(view, place);
             let area = height * (rect_quadrature_weight(k) * x.rate);
-            total = rect_quadrature_add(total, at, abs(side - at.share) * area, (1.0 - side) * area);
+            total = rect_quadrature_add(total, at, area, side);
         }
     }
     total
@@ -110,6 +117,10 @@ pub fn rect_quadrature(
     }
     // What is the same everywhere.
     let matt = 0.5 * reflector.light.z * reflector.gloss.square / PI;
-    let glossy = matt * (0.5 * receiver.gloss.square / PI);
-    QuadratureIntegral { glossy: glossy * total.glossy, matt: matt * total.matt }
+    let white = 0.5 * receiver.gloss.square / PI;
+    QuadratureIntegral {
+        glossy: (matt * white) * total.glossy,
+        matt: matt * total.matt,
+        white: white * total.white,
+    }
 }

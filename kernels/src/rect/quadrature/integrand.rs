@@ -11,6 +11,8 @@ pub struct QuadratureIntegrand {
     pub glossy: f32,
     /// Of the pixel's diffuse lobe.
     pub matt: f32,
+    /// Of the pixel's glossy lobe, of light that leaves the rectangle alike everywhere and in all directions.
+    pub white: f32,
     /// How far the rectangle's Fresnel reflectance is from normal to grazing incidence, 0 ..= 1.
     pub reflector_grazing: f32,
     /// The same of the pixel's.
@@ -51,7 +53,7 @@ pub fn rect_quadrature_grazing(square: f32) -> f32 {
 /// The integrand at a place.
 ///
 /// `glossy = (r_r r_x)² (n_x·w)⁺ v / (d² g_r g_x)`, `g = c S(c') + c' S(c)` of both cosines of a surface, `r` the roots of
-/// [`QuadratureFall`]; `matt` is without `r_x` and `g_x`.
+/// [`QuadratureFall`]; `matt` is without `r_x` and `g_x`, `white` without `r_r` and `g_r`.
 #[kernel]
 pub fn rect_quadrature_integrand(view: QuadratureView, place: QuadraturePlace) -> QuadratureIntegrand {
     let w = Vec3::new(place.along.x, place.along.y, -place.down);
@@ -71,9 +73,11 @@ pub fn rect_quadrature_integrand(view: QuadratureView, place: QuadraturePlace) -
     let other_masking = cosine * view.view_root + view.cosine * arriving;
     let seen = cosine * place.down * (place.nearness * place.nearness);
     let matt = reflector.root * reflector.root * seen / own_masking;
+    let reflected = receiver.root * receiver.root / other_masking;
     QuadratureIntegrand {
-        glossy: matt * (receiver.root * receiver.root) / other_masking,
+        glossy: matt * reflected,
         matt,
+        white: seen * reflected,
         reflector_grazing: rect_quadrature_grazing(own_along + own.z * own.z),
         receiver_grazing: rect_quadrature_grazing(dot(other, other)),
         share: reflector.density / (reflector.density + receiver.density),

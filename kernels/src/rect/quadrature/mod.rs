@@ -25,7 +25,9 @@
 //!
 //! **Sum.** At a place all of the integrand is evaluated, masking and both Fresnel terms included; the sums are kept apart
 //! by the powers of these terms, so that materials come in afterwards, in colour. The places of the rectangle's lobe,
-//! without the partition and the pixel's distribution, are the irradiance for the diffuse lobe.
+//! without the partition and the pixel's distribution, are the irradiance for the diffuse lobe. Those of the pixel's lobe,
+//! without the partition and the rectangle's distribution, are what its glossy lobe reflects of the rectangle's diffuse one:
+//! there it is the only lobe that is narrow, and for wide ones the places go as far as the rectangle.
 //!
 //! The derivation is our own; no paper has it. That a partition by densities spares each technique the other's peaks is
 //! the balance heuristic of [Veach97], here without chance.
@@ -43,6 +45,9 @@
 //! | glossy, `rect_laplace_split` | 1.186 | 0.59 .. 1.25 | 79 % |
 //! | diffuse, here | 1.064 | 0.80 .. 1.04 | |
 //! | diffuse, `rect_laplace_matt` | 1.197 | 0.51 .. 1.23 | |
+//!
+//! Glossy light of diffuse rectangles is 0.980 to 1.025 of the mean in those pictures, with an RMSE of 0.05 to 0.08; over
+//! scenes drawn by chance (`alpha` 0.05 ..= 1) it is off by a factor of 1.01 to 1.02 from a fine sum.
 //!
 //! It takes 1.2 times the time of the other on the interpreter.
 //!
