@@ -3,7 +3,7 @@
 
 use crate::rect::{
     angle, attenuation, chain, diffuse, disk, energy, field, field_tree, laplace, light, pass, peak,
-    reflection, shade, shadow,
+    reflection, shade, shadow, soft_shadow,
 };
 use crate::{asg, brdf, filter, hsg, reference, rsm, scene, sg, special, vsgl};
 use lobe_codegen::def::FunctionRef;
@@ -232,6 +232,8 @@ pub const PASSES: &[FunctionRef] = &kernels![
     field::rect_field_pass,
     shadow::rect_shadow_ray_pass,
     shadow::rect_shadowed_pass,
+    soft_shadow::rect_soft_ray_pass,
+    soft_shadow::rect_soft_pass,
     reference::pass::bounce_sample_pass,
     reference::pass::bounce_mean_pass,
     rsm::view::map_ray_pass,

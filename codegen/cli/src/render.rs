@@ -72,7 +72,8 @@ pub(crate) struct Args {
     /// Find them by trying every rectangle instead of by a tree; the lists are the same
     #[arg(long, requires = "field")]
     field_all: bool,
-    /// Ask for what stands between a pixel, one point of each rectangle and the light (`rect-laplace`)
+    /// Ask for what stands between a pixel, points of each rectangle and the light: nine points a lobe (`rect-quadrature`) or
+    /// one (`rect-laplace`)
     #[arg(long, conflicts_with = "field")]
     shadows: bool,
     /// Stops by which the PNG is brightened; chosen by the picture if not given
@@ -88,8 +89,10 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
     let scene = open(args)?;
     check_size(args, scene.camera.size)?;
-    if args.shadows && args.method != Method::RectLaplace {
-        return Err(Fail::Usage(format!("--shadows is for rect-laplace; {} has none", args.method)));
+    if args.shadows && !args.method.has_shadows() {
+        let names = Method::ALL.into_iter().filter(|m| m.has_shadows()).map(Method::name).collect::<Vec<_>>();
+        let message = format!("--shadows is for {}; {} has none", names.join(" and "), args.method);
+        return Err(Fail::Usage(message));
     }
     if args.check {
         return judge(args, &scene);

@@ -53,6 +53,7 @@ pub mod quadrature;
 pub mod reflection;
 pub mod shade;
 pub mod shadow;
+pub mod soft_shadow;
 
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::RectGlossy;

@@ -14,7 +14,9 @@ use crate::rect::laplace::{
     rect_laplace_integral, rect_laplace_matt, rect_laplace_receiver, rect_laplace_reflector,
     rect_laplace_split, rect_laplace_turn,
 };
-use crate::rect::quadrature::{QuadratureIntegral, rect_quadrature};
+use crate::rect::quadrature::{
+    QuadratureFree, QuadratureIntegral, rect_quadrature, rect_quadrature_cover, rect_quadrature_of_free,
+};
 use crate::rect::reflection::{DistantLight, Reflection, rect_reflection, rect_reflection_paper};
 use crate::rect::shade::{RectShade, ShadeForm, rect_shade, rect_shade_within};
 use crate::rect::{GlossyReceiver, Rectangle};
@@ -293,6 +295,23 @@ pub fn rect_pixel_quadrature(bounce: RectBounce) -> RectPixel {
     let reflector = rect_laplace_lit(bounce, bitangent);
     let view = rect_laplace_turn(bounce.rectangle, bitangent, bounce.seen.view);
     rect_quadrature_colour(bounce, rect_quadrature(reflector, receiver, view))
+}
+
+/// The same of those places alone that are free.
+#[kernel]
+pub fn rect_pixel_of_free(bounce: RectBounce, free: QuadratureFree) -> RectPixel {
+    let bitangent = rect_laplace_bitangent(bounce.rectangle);
+    let receiver = rect_laplace_receiver(bounce.rectangle, bitangent, rect_receiver(bounce));
+    let reflector = rect_laplace_lit(bounce, bitangent);
+    let view = rect_laplace_turn(bounce.rectangle, bitangent, bounce.seen.view);
+    let found = rect_quadrature_colour(bounce, rect_quadrature_of_free(reflector, receiver, view, free));
+    let cover = rect_quadrature_cover(reflector, receiver, view, free.by_normal);
+    RectPixel {
+        specular: found.specular,
+        diffuse: found.diffuse,
+        diffuse_of_diffuse: cover * found.diffuse_of_diffuse,
+        specular_of_diffuse: found.specular_of_diffuse,
+    }
 }
 
 /// The sum of two pixels.

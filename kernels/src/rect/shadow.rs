@@ -5,8 +5,10 @@
 //! from the pixel to that point and one from there to the light say for all of a lobe's light whether it comes: a shadow
 //! without penumbra, where the truth has soft ones.
 //!
-//! One rectangle after the other takes its turn, for the rays of all together would not fit: [`rect_shadow_ray_pass`]
-//! asks, [`crate::scene::bvh::shadow_pass`] answers, [`rect_shadowed_pass`] adds.
+//! One rectangle after the other takes its turn, and of many pixels some after others, for the rays of all together would
+//! not fit: [`rect_shadow_ray_pass`] asks, [`crate::scene::bvh::shadow_pass`] answers, [`rect_shadowed_pass`] adds.
+//!
+//! [`super::soft_shadow`] asks for more points.
 
 use crate::brdf::Material;
 use crate::rect::Rectangle;
@@ -35,6 +37,10 @@ pub struct ShadowTurn {
     /// How far the surface may be from its rectangle, in m: nothing so near to it is in the way.
     #[domain(0.0..=100.0)]
     pub slack: f32,
+    /// The first of the pixels that are asked for.
+    pub first: u32,
+    /// How many are asked for.
+    pub count: u32,
 }
 
 /// Where the light of each of [`RectPixel`]'s parts leaves the rectangle, on the whole: directions from the pixel.
@@ -98,6 +104,18 @@ pub fn shadow_ray_to_rectangle(
     }
 }
 
+/// The ray, not asked for if not `is_asked`.
+#[kernel]
+pub fn shadow_ray_if(ray: SceneRay, is_asked: bool) -> SceneRay {
+    SceneRay {
+        origin: ray.origin,
+        reach: select(0.0, ray.reach, is_asked),
+        dir: ray.dir,
+        leaving: ray.leaving,
+        reaching: ray.reaching,
+    }
+}
+
 /// The ray from where another meets a rectangle to the light; begins `slack` before the rectangle.
 #[kernel]
 pub fn shadow_ray_to_light(to: SceneRay, rectangle: Rectangle, light: SceneLight, slack: f32) -> SceneRay {
@@ -114,8 +132,7 @@ pub fn shadow_ray_to_light(to: SceneRay, rectangle: Rectangle, light: SceneLight
     }
 }
 
-/// Rays of all pixels and lights to the rectangle whose turn it is, and on to the lights: a pass, an invocation a pixel and
-/// light.
+/// Rays of the turn's pixels and all lights to its rectangle, and on to the lights: a pass, an invocation a pixel and light.
 #[kernel(workgroup_size(64))]
 pub fn rect_shadow_ray_pass(
     #[builtin(global_invocation_id)] id: UVec3,
@@ -132,7 +149,7 @@ pub fn rect_shadow_ray_pass(
         return;
     }
     let count = lights.len() as u32;
-    let pixel = seen[(i / count) as usize];
+    let pixel = seen[(turn.first + i / count) as usize];
     let last = surfaces.len() as u32 - 1;
     let surface = surfaces[min(pixel.surface, last) as usize];
     let proxy = proxies[turn.index as usize];
@@ -148,19 +165,13 @@ pub fn rect_shadow_ray_pass(
         let to = shadow_ray_to_rectangle(pixel, surface.shape, rectangle, towards, turn.slack);
         let is_asked = pixel.surface != NOWHERE;
         let at = SHADOW_RAYS * i + 2 * part;
-        let asked = SceneRay {
-            origin: to.origin,
-            reach: select(0.0, to.reach, is_asked),
-            dir: to.dir,
-            leaving: to.leaving,
-            reaching: to.reaching,
-        };
+        let asked = shadow_ray_if(to, is_asked);
         shadow_rays[at as usize] = asked;
         shadow_rays[(at + 1) as usize] = shadow_ray_to_light(asked, rectangle, light, turn.slack);
     }
 }
 
-/// Adds to each pixel what the rectangle whose turn it is sends of the lights that reach it: a pass.
+/// Adds to each of the turn's pixels what the rectangle whose turn it is sends of the lights that reach it: a pass.
 ///
 /// `visible` is the answer to the rays of [`rect_shadow_ray_pass`].
 #[kernel(workgroup_size(64))]
@@ -175,8 +186,8 @@ pub fn rect_shadowed_pass(
     #[storage(0, 6)] visible: &[u32],
     #[storage(0, 7)] indirect: &mut [RectPixel],
 ) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
+    let i = turn.first + id.x;
+    if id.x >= turn.count || i >= indirect.len() as u32 {
         return;
     }
     let pixel = seen[i as usize];
@@ -190,7 +201,7 @@ pub fn rect_shadowed_pass(
             let arriving = light_share(lights[l as usize], proxy);
             let found =
                 rect_pixel_laplace(RectBounce { rectangle, reflector, arriving, seen: pixel, receiver });
-            let at = SHADOW_RAYS * (i * lights.len() as u32 + l);
+            let at = SHADOW_RAYS * (id.x * lights.len() as u32 + l);
             let specular = visible[at as usize] * visible[(at + 1) as usize];
             let diffuse = visible[(at + 2) as usize] * visible[(at + 3) as usize];
             let matt = visible[(at + 4) as usize] * visible[(at + 5) as usize];

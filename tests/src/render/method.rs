@@ -1,5 +1,7 @@
 //! The methods of rendering, by name.
 
+use super::shadowed::Shadows;
+
 /// How the light of one bounce is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
@@ -75,6 +77,12 @@ impl Method {
             Self::Vsgl2Paper => "vsgl2-paper",
             Self::Reference => "reference",
         }
+    }
+
+    /// Whether it can ask for what stands between pixel, rectangle and light.
+    #[must_use]
+    pub fn has_shadows(self) -> bool {
+        Shadows::of(self).is_some()
     }
 
     /// The pass of a method of rectangles.

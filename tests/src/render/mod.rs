@@ -34,6 +34,7 @@ use lobe_codegen::glam::Vec3;
 use lobe_kernels::rect::pass::RectSettings;
 use lobe_kernels::registry::PASSES;
 use lobe_kernels::scene::direct::DirectPixel;
+use shadowed::Shadows;
 
 /// What a picture is made with.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +45,8 @@ pub struct Settings {
     pub samples: u32,
     /// The disk's radius over alpha and distance, of the methods of rectangles.
     pub radius_factor: f32,
-    /// Whether [`Method::RectLaplace`] asks for what stands between: one point for each rectangle and lobe.
+    /// Whether what stands between is asked for: by [`Method::RectLaplace`] of one point for each rectangle and lobe, by
+    /// [`Method::RectQuadrature`] of each place. Other methods of rectangles have no shadows.
     pub shadows: bool,
     /// Virtual lights, of the methods that have them.
     pub virtual_lights: VirtualLights,
@@ -132,12 +134,10 @@ impl Renderer {
         frame.see()?;
         let mut picture = frame.direct()?;
         let indirect = match (settings.method, settings.method.rect_pass()) {
-            (Method::RectLaplace, _) if settings.shadows => {
-                frame.shadowed(&slacks, &mut picture, progress)?
-            }
-            (_, Some(pass)) => match field {
-                Some(field) => frame.by_field(field, &mut picture)?,
-                None => frame.rectangles(pass, &mut picture)?,
+            (method, Some(pass)) => match (field, Shadows::of(method).filter(|_| settings.shadows)) {
+                (Some(field), _) => frame.by_field(field, &mut picture)?,
+                (None, Some(shadows)) => frame.shadowed(shadows, &slacks, &mut picture, progress)?,
+                (None, None) => frame.rectangles(pass, &mut picture)?,
             },
             (Method::Reference, None) => frame.bounces(&mut picture, progress)?,
             (method, None) if method.has_virtual_lights() => {

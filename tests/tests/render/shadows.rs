@@ -2,10 +2,13 @@
 
 use super::{picture, picture_by, scene};
 use lobe_tests::render::{Method, Picture, Settings};
-use lobe_tests::scene::Scene;
+use lobe_tests::scene::{Light, Scene};
 
-fn shadowed(scene: &Scene) -> Picture {
-    picture_by(scene, &Settings { shadows: true, ..Settings::default() })
+/// Methods that have shadows, and how much of what a shadow takes they may err by.
+const METHODS: [(Method, f64); 2] = [(Method::RectLaplace, 0.5), (Method::RectQuadrature, 0.1)];
+
+fn shadowed(scene: &Scene, method: Method) -> Picture {
+    picture_by(scene, &Settings { method, shadows: true, ..Settings::default() })
 }
 
 fn layer(picture: &Picture, name: &str) -> Vec<[f32; 3]> {
@@ -18,15 +21,37 @@ fn mean(picture: &Picture, name: &str) -> f64 {
     values.iter().flatten().map(|v| f64::from(*v)).sum::<f64>() / (3 * values.len()) as f64
 }
 
+/// The components of a picture with shadows, without their suffix.
+fn parts(picture: &Picture) -> Vec<String> {
+    let names = picture.layers.iter().filter(|layer| layer.name.starts_with("indirect"));
+    names.filter_map(|layer| Some(layer.name.strip_suffix("_vis")?.to_owned())).collect()
+}
+
 #[test]
 fn nothing_in_the_way_is_no_shadow() {
     let mut scene = scene("plates_a010.json");
     scene.camera.size = [48; 2];
-    let (with, without) = (shadowed(&scene), picture(&scene, Method::RectLaplace, 0));
-    for part in ["indirect_specular_fromspec", "indirect_diffuse_fromspec", "indirect_diffuse"] {
-        let lit = |of: &Picture, kind: &str| layer(of, &format!("{part}_{kind}"));
-        assert_eq!(lit(&with, "vis"), lit(&without, "novis"), "{part}");
-        assert!(mean(&with, &format!("{part}_vis")) > 0.0, "{part}");
+    for (method, _) in METHODS {
+        let (with, without) = (shadowed(&scene, method), picture(&scene, method, 0));
+        assert!(parts(&with).len() >= 3, "{method}: {:?}", parts(&with));
+        for part in parts(&with) {
+            let lit = |of: &Picture, kind: &str| layer(of, &format!("{part}_{kind}"));
+            assert_eq!(lit(&with, "vis"), lit(&without, "novis"), "{method}, {part}");
+            assert!(mean(&with, &format!("{part}_vis")) > 0.0, "{method}, {part}");
+        }
+    }
+}
+
+#[test]
+fn pixels_that_take_turns_are_those_of_one_turn() {
+    let mut scene = screened(0.5);
+    let whole = shadowed(&scene, Method::RectQuadrature);
+    // 20 times the light in as many lights: too many rays for one turn.
+    let Light::Directional { to_light, irradiance } = scene.lights[0] else { panic!("another light") };
+    scene.lights = vec![Light::Directional { to_light, irradiance: irradiance / 20.0 }; 20];
+    let bands = shadowed(&scene, Method::RectQuadrature);
+    for (one, other) in whole.radiance.iter().zip(&bands.radiance) {
+        assert!((*one - *other).abs().max_element() <= 1e-5 * one.max_element(), "{one} and {other}");
     }
 }
 
@@ -48,21 +73,30 @@ fn screened(height: f32) -> Scene {
 #[test]
 fn a_screen_takes_all_light() {
     // The screen's back is dark, its front hides the wall; light comes over the camera.
-    let (open, closed) = (shadowed(&screened(0.001)), shadowed(&screened(3.0)));
-    for part in ["indirect_specular_fromspec_vis", "indirect_diffuse_fromspec_vis", "indirect_diffuse_vis"] {
-        assert!(mean(&open, part) > 1e-4, "{part}: {}", mean(&open, part));
-        assert_eq!(mean(&closed, part), 0.0, "{part}");
+    for (method, _) in METHODS {
+        let (open, closed) = (shadowed(&screened(0.001), method), shadowed(&screened(3.0), method));
+        for part in parts(&open) {
+            let part = format!("{part}_vis");
+            assert!(mean(&open, &part) > 1e-4, "{method}, {part}: {}", mean(&open, &part));
+            assert_eq!(mean(&closed, &part), 0.0, "{method}, {part}");
+        }
+        let unshadowed = picture(&screened(3.0), method, 0);
+        assert!(mean(&unshadowed, "indirect_diffuse_novis") > 1e-3, "{method} itself knows of no screen");
     }
-    let unshadowed = picture(&screened(3.0), Method::RectLaplace, 0);
-    assert!(mean(&unshadowed, "indirect_diffuse_novis") > 1e-3, "the method itself knows of no screen");
 }
 
 #[test]
 fn half_a_screen_is_nearer_to_the_truth_than_none() {
     let scene = screened(0.5);
-    let truth = mean(&picture(&scene, Method::Reference, 256), "indirect_diffuse_vis");
-    let with = mean(&shadowed(&scene), "indirect_diffuse_vis");
-    let without = mean(&picture(&scene, Method::RectLaplace, 0), "indirect_diffuse_novis");
-    let is_nearer = (with - truth).abs() < 0.5 * (without - truth).abs();
-    assert!(is_nearer && with > 0.25 * truth, "{with}, {without}, in truth {truth}");
+    let truth = picture(&scene, Method::Reference, 256);
+    for (method, share) in METHODS {
+        let (with, without) = (shadowed(&scene, method), picture(&scene, method, 0));
+        for part in parts(&with) {
+            let (vis, novis) = (format!("{part}_vis"), format!("{part}_novis"));
+            let (truth, with, without) = (mean(&truth, &vis), mean(&with, &vis), mean(&without, &novis));
+            let is_nearer = (with - truth).abs() < share * (without - truth).abs();
+            println!("{method}, {part}: {with}, {without}, in truth {truth}");
+            assert!(is_nearer, "{method}, {part}: {with}, {without}, in truth {truth}");
+        }
+    }
 }

@@ -1,9 +1,9 @@
 //! Scenes that a careful author would not write: each a picture of light, with every method.
 
-use crate::picture;
+use crate::{picture, picture_by};
 use lobe_codegen::glam::{Quat, Vec3};
 use lobe_tests::domain::Rng;
-use lobe_tests::render::Method;
+use lobe_tests::render::{Method, Settings};
 use lobe_tests::scene::{Light, Scene};
 
 /// What is done to a scene.
@@ -71,6 +71,11 @@ fn wild_scenes_are_pictures_of_light() {
             for method in Method::ALL {
                 let picture = picture(&scene, method, 8);
                 assert!(picture.is_sound(), "{name}, {what}, {method}, seed {seed}");
+                if method.has_shadows() {
+                    let settings = Settings { method, shadows: true, ..Settings::default() };
+                    let shadowed = picture_by(&scene, &settings);
+                    assert!(shadowed.is_sound(), "{name}, {what}, {method} with shadows, seed {seed}");
+                }
             }
         }
     }

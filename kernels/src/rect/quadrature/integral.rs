@@ -2,19 +2,12 @@
 
 use crate::constants::PI;
 use crate::rect::laplace::{LaplaceReceiver, LaplaceReflector, rect_laplace_is_dark};
+use crate::rect::quadrature::grid::{
+    QuadratureGrid, rect_quadrature_grid, rect_quadrature_row, rect_quadrature_spot,
+};
 use crate::rect::quadrature::integrand::{QuadratureIntegrand, rect_quadrature_integrand};
-use crate::rect::quadrature::lobe::{
-    QuadratureStart, rect_quadrature_by_angle, rect_quadrature_conditional, rect_quadrature_cross,
-    rect_quadrature_is_longer, rect_quadrature_marginal, rect_quadrature_start, rect_quadrature_turned_lobe,
-};
-use crate::rect::quadrature::view::{
-    QuadratureView, rect_quadrature_inner, rect_quadrature_outer, rect_quadrature_seen,
-    rect_quadrature_turned, rect_quadrature_view,
-};
-use crate::rect::quadrature::warp::{
-    rect_quadrature_abscissa, rect_quadrature_along, rect_quadrature_line, rect_quadrature_place,
-    rect_quadrature_weight,
-};
+use crate::rect::quadrature::lobe::rect_quadrature_upright;
+use crate::rect::quadrature::view::rect_quadrature_view;
 use lobe_codegen::prelude::*;
 
 /// Integrals over the rectangle, without irradiance, and apart by the powers of both Fresnel terms.
@@ -57,40 +50,45 @@ pub fn rect_quadrature_add(
     }
 }
 
-/// Adds a lobe's part by three lines of three places each.
+/// Which places count, a bit for each: that of the `k`-th place on the `i`-th line is `3 i + k`.
+#[kernel]
+pub struct QuadratureFree {
+    /// Of the rectangle's lobe.
+    pub by_reflector: u32,
+    /// Of the pixel's.
+    pub by_receiver: u32,
+    /// Of those about the pixel's normal, for two diffuse lobes.
+    pub by_normal: u32,
+}
+
+/// All bits of a part of [`QuadratureFree`].
+#[kernel]
+pub const EVERYWHERE: u32 = 511;
+
+/// Whether the `k`-th place on the `i`-th line counts.
+#[kernel]
+pub fn rect_quadrature_is_free(free: u32, i: u32, k: u32) -> bool {
+    ((free >> (3 * i + k)) & 1) == 1
+}
+
+/// Adds a lobe's part by three lines of three places each, of those that are `free`.
 ///
 /// `side` is 0 for the rectangle's lobe, whose places serve the pixel's diffuse lobe, too, and 1 for the pixel's, whose
 /// places serve the rectangle's diffuse lobe.
 #[kernel]
 pub fn rect_quadrature_part(
     sum: QuadratureIntegral,
-    seen: QuadratureView,
-    start: QuadratureStart,
+    grid: QuadratureGrid,
     side: f32,
+    free: u32,
 ) -> QuadratureIntegral {
-    let own_lines = rect_quadrature_cross(seen.height, start.place.offset);
-    let own = rect_quadrature_by_angle(start.lobe, start.place, own_lines);
-    let is_turned = rect_quadrature_is_longer(seen, own, own_lines);
-    let view = rect_quadrature_turned(seen, is_turned);
-    let lobe = rect_quadrature_turned_lobe(own, is_turned);
-    let offset = select(start.place.offset, start.place.offset.yx(), is_turned);
-    let lines = rect_quadrature_cross(view.height, offset);
-    let outer = rect_quadrature_outer(view);
-    let marginal = rect_quadrature_marginal(view, offset, lobe, lines);
     let mut total = sum;
     for i in 0u32..3u32 {
-        let way = rect_quadrature_place(marginal, rect_quadrature_abscissa(i));
-        let y = rect_quadrature_along(lines.y, way, outer);
-        let inner = rect_quadrature_inner(view, y.place);
-        let row = rect_quadrature_line(sqrt(view.height * view.height + y.place * y.place), offset.x);
-        let conditional = rect_quadrature_conditional(lobe, way.place, row, inner);
-        let height = rect_quadrature_weight(i) * y.rate;
+        let row = rect_quadrature_row(grid, i);
         for k in 0u32..3u32 {
-            let node = rect_quadrature_place(conditional, rect_quadrature_abscissa(k));
-            let x = rect_quadrature_along(row, node, inner);
-            let place = rect_quadrature_seen(view, Vec2::new(x.place, y.place));
-            let at = rect_quadrature_integrand(view, place);
-            let area = height * (rect_quadrature_weight(k) * x.rate);
+            let spot = rect_quadrature_spot(grid, row, k);
+            let at = rect_quadrature_integrand(grid.view, spot.place);
+            let area = select(0.0, spot.area, rect_quadrature_is_free(free, i, k));
             total = rect_quadrature_add(total, at, area, side);
         }
     }
@@ -106,14 +104,27 @@ pub fn rect_quadrature(
     receiver: LaplaceReceiver,
     view: Vec3,
 ) -> QuadratureIntegral {
+    let free = QuadratureFree { by_reflector: EVERYWHERE, by_receiver: EVERYWHERE, by_normal: EVERYWHERE };
+    rect_quadrature_of_free(reflector, receiver, view, free)
+}
+
+/// The same by those places alone that are free.
+#[kernel]
+pub fn rect_quadrature_of_free(
+    reflector: LaplaceReflector,
+    receiver: LaplaceReceiver,
+    view: Vec3,
+    free: QuadratureFree,
+) -> QuadratureIntegral {
     if rect_laplace_is_dark(reflector, receiver) {
         return rect_quadrature_nothing();
     }
     let seen = rect_quadrature_view(reflector, receiver, view);
     let mut total = rect_quadrature_nothing();
     for side in 0u32..2u32 {
-        let start = rect_quadrature_start(seen, receiver, side);
-        total = rect_quadrature_part(total, seen, start, side as f32);
+        let grid = rect_quadrature_grid(seen, receiver, side);
+        let own = select(free.by_reflector, free.by_receiver, side == 1);
+        total = rect_quadrature_part(total, grid, side as f32, own);
     }
     // What is the same everywhere.
     let matt = 0.5 * reflector.light.z * reflector.gloss.square / PI;
@@ -123,4 +134,33 @@ pub fn rect_quadrature(
         matt: matt * total.matt,
         white: white * total.white,
     }
+}
+
+/// Share of the form factor that comes from places which are `free`, of [`QuadratureFree::by_normal`].
+#[kernel]
+pub fn rect_quadrature_cover(
+    reflector: LaplaceReflector,
+    receiver: LaplaceReceiver,
+    view: Vec3,
+    free: u32,
+) -> f32 {
+    let upright = rect_quadrature_upright(receiver);
+    if rect_laplace_is_dark(reflector, upright) {
+        return 0.0;
+    }
+    let grid = rect_quadrature_grid(rect_quadrature_view(reflector, upright, view), upright, 1);
+    let mut all = 0.0;
+    let mut open = 0.0;
+    for i in 0u32..3u32 {
+        let row = rect_quadrature_row(grid, i);
+        for k in 0u32..3u32 {
+            let spot = rect_quadrature_spot(grid, row, k);
+            let place = spot.place;
+            let weight =
+                spot.area * (max(place.cosine, 0.0) * place.down * (place.nearness * place.nearness));
+            all += weight;
+            open += select(0.0, weight, rect_quadrature_is_free(free, i, k));
+        }
+    }
+    min(open / max(all, 1e-30), 1.0)
 }

@@ -1,6 +1,6 @@
 //! A lobe about a place of the rectangle, and the lines and places where it is looked at.
 
-use crate::rect::laplace::LaplaceReceiver;
+use crate::rect::laplace::{LaplaceReceiver, rect_laplace_gloss};
 use crate::rect::quadrature::view::{
     QuadraturePlace, QuadratureView, rect_quadrature_inner, rect_quadrature_met, rect_quadrature_outer,
 };
@@ -56,6 +56,27 @@ pub fn rect_quadrature_receiver_lobe(receiver: LaplaceReceiver, place: Quadratur
         by_x: scale * (tangents.xz() + along.x * receiver.view - rise.x * slope),
         by_y: scale * (tangents.zy() + along.y * receiver.view - rise.y * slope),
         square: receiver.gloss.square,
+    }
+}
+
+/// The pixel, looked at along its normal and of `alpha` 1: its lobe is about the same in all directions.
+#[kernel]
+pub fn rect_quadrature_upright(receiver: LaplaceReceiver) -> LaplaceReceiver {
+    LaplaceReceiver {
+        offset: receiver.offset,
+        height2: receiver.height2,
+        facing: receiver.facing,
+        mirror: receiver.facing,
+        cosine: 1.0,
+        view: Vec2::ZERO,
+        tangents: receiver.tangents,
+        pull: 1.0,
+        gloss: rect_laplace_gloss(1.0),
+        extent: receiver.extent,
+        edges_x: receiver.edges_x,
+        edges_y: receiver.edges_y,
+        corner: receiver.corner,
+        top: receiver.top,
     }
 }
 

@@ -57,14 +57,16 @@
 //!   light between facets.
 //! - Where the axes change places the result jumps by the difference of two rules: 0.5 % of it in the median over such
 //!   scenes, 4 % in one of ten.
-//! - No visibility, one light, as seen from the rectangle's middle.
+//! - One light, as seen from the rectangle's middle; visibility only by [`soft_shadow`](crate::rect::soft_shadow).
 
+mod grid;
 mod integral;
 mod integrand;
 mod lobe;
 mod view;
 mod warp;
 
+pub use grid::*;
 pub use integral::*;
 pub use integrand::*;
 pub use lobe::*;
