@@ -230,6 +230,7 @@ pub const PASSES: &[FunctionRef] = &kernels![
     field::field_pass,
     field_tree::field_tree_pass,
     field::rect_field_pass,
+    field::rect_field_quadrature_pass,
     shadow::rect_shadow_ray_pass,
     shadow::rect_shadowed_pass,
     soft_shadow::rect_soft_ray_pass,

@@ -63,8 +63,8 @@ pub(crate) struct Args {
     /// Radius of the sampling disk of rectangles, over alpha and distance
     #[arg(long, default_value_t = 3.0, value_parser = factor)]
     radius_factor: f32,
-    /// Shade by a light-field texture with so many texels along a side of each surface (`rect-laplace`)
-    #[arg(long, value_name = "TEXELS", conflicts_with_all = ["check", "method"], value_parser = clap::value_parser!(u32).range(1..=1024))]
+    /// Shade by a light-field texture with so many texels along a side of each surface (`rect-quadrature`, `rect-laplace`)
+    #[arg(long, value_name = "TEXELS", conflicts_with = "check", value_parser = clap::value_parser!(u32).range(1..=1024))]
     field: Option<u32>,
     /// Rectangles that a texel lists
     #[arg(long, default_value_t = 8, requires = "field", value_parser = clap::value_parser!(u32).range(1..=8))]
@@ -89,11 +89,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         args.output.iter().map(|path| Ok((path, Form::of(path)?))).collect::<Result<Vec<_>, Fail>>()?;
     let scene = open(args)?;
     check_size(args, scene.camera.size)?;
-    if args.shadows && !args.method.has_shadows() {
-        let names = Method::ALL.into_iter().filter(|m| m.has_shadows()).map(Method::name).collect::<Vec<_>>();
-        let message = format!("--shadows is for {}; {} has none", names.join(" and "), args.method);
-        return Err(Fail::Usage(message));
-    }
+    check_method(args)?;
     if args.check {
         return judge(args, &scene);
     }
@@ -113,6 +109,26 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
         true => Ok(Outcome::Holds),
         false => Err(Fail::Defect(format!("{} has pixels that are no light", args.scene.display()))),
     }
+}
+
+/// Whether the method can do what is asked for.
+fn check_method(args: &Args) -> Result<(), Fail> {
+    let asked: [(&str, bool, fn(Method) -> bool); 2] = [
+        ("--shadows", args.shadows, Method::has_shadows),
+        ("--field", args.field.is_some(), |method| method.field_pass().is_some()),
+    ];
+    for (option, is_asked, can) in asked {
+        if is_asked && !can(args.method) {
+            let names: Vec<&str> = Method::ALL.into_iter().filter(|m| can(*m)).map(Method::name).collect();
+            let message = format!(
+                "{option} is for {}; give one of them as --method, not {}",
+                names.join(" and "),
+                args.method
+            );
+            return Err(Fail::Usage(message));
+        }
+    }
+    Ok(())
 }
 
 /// The scene in the file, in the size that is asked for.
@@ -185,7 +201,8 @@ fn picture(args: &Args, scene: &Scene) -> Result<Picture, Fail> {
     if let Some(side) = args.field {
         let mut field = LightField::new(side, args.field_ids);
         field.search = if args.field_all { FieldSearch::All } else { FieldSearch::Tree };
-        return Ok(renderer.render_by_field(scene, &proxies, &mut field, dispatcher.as_mut())?);
+        let settings = settings(args);
+        return Ok(renderer.render_by_field(scene, &proxies, &settings, &mut field, dispatcher.as_mut())?);
     }
     let bar: ProgressBar = output::progress(STEPS);
     let progress = |share: f32| bar.set_position((share * STEPS as f32) as u64);

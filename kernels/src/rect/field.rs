@@ -9,7 +9,9 @@ use crate::rect::laplace::{
     Reflector, rect_laplace_bitangent, rect_laplace_matt, rect_laplace_receiver, rect_laplace_reflector,
 };
 use crate::rect::pass::{RectProxy, light_share};
-use crate::rect::pixel::{RectBounce, RectPixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace};
+use crate::rect::pixel::{
+    RectBounce, RectPixel, rect_pixel_add, rect_pixel_dark, rect_pixel_laplace, rect_pixel_quadrature,
+};
 use crate::rect::{GlossyReceiver, Rectangle};
 use crate::reference::rectangle::rectangle_point;
 use crate::reference::running_mean::luminance;
@@ -160,42 +162,59 @@ pub fn field_pass(
     }
 }
 
-/// [`rect_pixel_laplace`] of the rectangles of each pixel's texel: a pass.
-#[kernel(workgroup_size(64))]
-pub fn rect_field_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] field_settings: &FieldSettings,
-    #[storage(0, 1)] seen: &[Seen],
-    #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] proxies: &[RectProxy],
-    #[storage(0, 4)] materials: &[Material],
-    #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] field: &[u32],
-    #[storage(0, 7)] indirect: &mut [RectPixel],
-) {
-    let i = id.x;
-    if i >= indirect.len() as u32 {
-        return;
-    }
-    let pixel = seen[i as usize];
-    let mut sum = rect_pixel_dark();
-    if pixel.surface != NOWHERE {
-        let surface = surfaces[pixel.surface as usize];
-        let receiver = materials[surface.material as usize];
-        let texel = field_texel(*field_settings, pixel.surface, surface, pixel.position);
-        for place in 0..FIELD_TEXEL {
-            let k = field[(texel * FIELD_TEXEL + place) as usize];
-            if k != NOWHERE {
-                let proxy = proxies[k as usize];
-                let reflector = materials[proxy.material as usize];
-                for l in 0..lights.len() as u32 {
-                    let arriving = light_share(lights[l as usize], proxy);
-                    let rectangle = proxy.rectangle;
-                    let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
-                    sum = rect_pixel_add(sum, rect_pixel_laplace(bounce));
+/// A pass that sums `$pixel` over the rectangles of each pixel's texel.
+macro_rules! field_shading {
+    ($(#[$doc:meta])* $name:ident, $pixel:ident) => {
+        $(#[$doc])*
+        #[kernel(workgroup_size(64))]
+        pub fn $name(
+            #[builtin(global_invocation_id)] id: UVec3,
+            #[uniform(0, 0)] field_settings: &FieldSettings,
+            #[storage(0, 1)] seen: &[Seen],
+            #[storage(0, 2)] surfaces: &[Surface],
+            #[storage(0, 3)] proxies: &[RectProxy],
+            #[storage(0, 4)] materials: &[Material],
+            #[storage(0, 5)] lights: &[SceneLight],
+            #[storage(0, 6)] field: &[u32],
+            #[storage(0, 7)] indirect: &mut [RectPixel],
+        ) {
+            let i = id.x;
+            if i >= indirect.len() as u32 {
+                return;
+            }
+            let pixel = seen[i as usize];
+            let mut sum = rect_pixel_dark();
+            if pixel.surface != NOWHERE {
+                let surface = surfaces[pixel.surface as usize];
+                let receiver = materials[surface.material as usize];
+                let texel = field_texel(*field_settings, pixel.surface, surface, pixel.position);
+                for place in 0..FIELD_TEXEL {
+                    let k = field[(texel * FIELD_TEXEL + place) as usize];
+                    if k != NOWHERE {
+                        let proxy = proxies[k as usize];
+                        let reflector = materials[proxy.material as usize];
+                        for l in 0..lights.len() as u32 {
+                            let arriving = light_share(lights[l as usize], proxy);
+                            let rectangle = proxy.rectangle;
+                            let bounce = RectBounce { rectangle, reflector, arriving, seen: pixel, receiver };
+                            sum = rect_pixel_add(sum, $pixel(bounce));
+                        }
+                    }
                 }
             }
+            indirect[i as usize] = sum;
         }
-    }
-    indirect[i as usize] = sum;
+    };
 }
+
+field_shading!(
+    /// [`rect_pixel_laplace`] of the rectangles of each pixel's texel: a pass.
+    rect_field_pass,
+    rect_pixel_laplace
+);
+
+field_shading!(
+    /// [`rect_pixel_quadrature`] of the rectangles of each pixel's texel: a pass.
+    rect_field_quadrature_pass,
+    rect_pixel_quadrature
+);

@@ -55,9 +55,10 @@ impl LightField {
 }
 
 impl Frame<'_, '_> {
-    /// The light of the rectangles in the texels; adds its layers and returns their sum.
+    /// The light of the rectangles in the texels, which `pass` finds; adds its layers and returns their sum.
     pub(super) fn by_field(
         &mut self,
+        pass: &str,
         field: &mut LightField,
         picture: &mut Picture,
     ) -> Result<Vec<Vec3>, ExecError> {
@@ -77,7 +78,7 @@ impl Frame<'_, '_> {
         }
         let moving = FieldSettings { list: FIELD_LIST, first: still, count: field.moving, ..settings };
         self.list("field_pass", moving, texels)?;
-        let indirect = self.rectangles("rect_field_pass", picture)?;
+        let indirect = self.rectangles(pass, picture)?;
         field.kept = self.memory.take("field").unwrap_or_default();
         Ok(indirect)
     }

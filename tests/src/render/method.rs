@@ -85,6 +85,16 @@ impl Method {
         Shadows::of(self).is_some()
     }
 
+    /// The pass that shades by a light-field texture, of methods that can.
+    #[must_use]
+    pub fn field_pass(self) -> Option<&'static str> {
+        match self {
+            Self::RectLaplace => Some("rect_field_pass"),
+            Self::RectQuadrature => Some("rect_field_quadrature_pass"),
+            _ => None,
+        }
+    }
+
     /// The pass of a method of rectangles.
     #[must_use]
     pub fn rect_pass(self) -> Option<&'static str> {

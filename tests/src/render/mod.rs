@@ -100,7 +100,7 @@ impl Renderer {
         self.frame(scene, proxies, settings, None, dispatcher, progress)
     }
 
-    /// The same by the rectangles that `field` lists, with [`Method::RectLaplace`].
+    /// The same without shadows by the rectangles that `field` lists, if the method can ([`Method::field_pass`]).
     ///
     /// # Errors
     /// As of [`Renderer::render`].
@@ -108,10 +108,11 @@ impl Renderer {
         &'p self,
         scene: &Scene,
         proxies: &Proxies,
+        settings: &Settings,
         field: &mut LightField,
         dispatcher: &mut dyn Dispatcher<'p>,
     ) -> Result<Picture, ExecError> {
-        self.frame(scene, proxies, &Settings::default(), Some(field), dispatcher, &|_| {})
+        self.frame(scene, proxies, settings, Some(field), dispatcher, &|_| {})
     }
 
     fn frame<'p>(
@@ -134,11 +135,14 @@ impl Renderer {
         frame.see()?;
         let mut picture = frame.direct()?;
         let indirect = match (settings.method, settings.method.rect_pass()) {
-            (method, Some(pass)) => match (field, Shadows::of(method).filter(|_| settings.shadows)) {
-                (Some(field), _) => frame.by_field(field, &mut picture)?,
-                (None, Some(shadows)) => frame.shadowed(shadows, &slacks, &mut picture, progress)?,
-                (None, None) => frame.rectangles(pass, &mut picture)?,
-            },
+            (method, Some(pass)) => {
+                let shadows = Shadows::of(method).filter(|_| settings.shadows);
+                match (field.zip(method.field_pass()), shadows) {
+                    (Some((field, pass)), _) => frame.by_field(pass, field, &mut picture)?,
+                    (None, Some(shadows)) => frame.shadowed(shadows, &slacks, &mut picture, progress)?,
+                    (None, None) => frame.rectangles(pass, &mut picture)?,
+                }
+            }
             (Method::Reference, None) => frame.bounces(&mut picture, progress)?,
             (method, None) if method.has_virtual_lights() => {
                 frame.virtual_lights(&mapped, &mut picture, progress)?

@@ -3,7 +3,7 @@
 use lobe_backends::pipeline::Interpreted;
 use lobe_codegen::glam::Vec3;
 use lobe_tests::proxies::{self, Options};
-use lobe_tests::render::{LightField, Method, Picture, Renderer};
+use lobe_tests::render::{LightField, Method, Picture, Renderer, Settings};
 use lobe_tests::scene::Scene;
 
 /// A box of which five surfaces are seen, few enough for a list.
@@ -14,9 +14,12 @@ fn small() -> Scene {
     scene
 }
 
-fn by_field(renderer: &Renderer, scene: &Scene, field: &mut LightField) -> Picture {
+const METHODS: [Method; 2] = [Method::RectLaplace, Method::RectQuadrature];
+
+fn by_field(renderer: &Renderer, scene: &Scene, method: Method, field: &mut LightField) -> Picture {
     let proxies = proxies::proxies(scene, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
-    let made = renderer.render_by_field(scene, &proxies, field, &mut Interpreted::default());
+    let settings = Settings { method, ..Settings::default() };
+    let made = renderer.render_by_field(scene, &proxies, &settings, field, &mut Interpreted::default());
     made.unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -38,12 +41,13 @@ fn error(found: &Picture, wanted: &Picture) -> f32 {
 fn with_room_for_all_the_picture_is_that_of_all() {
     let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
     let scene = small();
-    let wanted = crate::picture(&scene, Method::RectLaplace, 1);
-    let whole = error(&by_field(&renderer, &scene, &mut LightField::new(16, 8)), &wanted);
-    let two = error(&by_field(&renderer, &scene, &mut LightField::new(16, 2)), &wanted);
-    let one = error(&by_field(&renderer, &scene, &mut LightField::new(16, 1)), &wanted);
-    // The sum is in another order.
-    assert!(whole < 1e-5 && whole < two && two < one, "{whole:e} {two:e} {one:e}");
+    for method in METHODS {
+        let wanted = crate::picture(&scene, method, 1);
+        let by = |most| error(&by_field(&renderer, &scene, method, &mut LightField::new(16, most)), &wanted);
+        let (whole, two, one) = (by(8), by(2), by(1));
+        // The sum is in another order.
+        assert!(whole < 1e-5 && whole < two && two < one, "{method}: {whole:e} {two:e} {one:e}");
+    }
 }
 
 /// Of two rectangles that move one is listed: which, changes with the movement.
@@ -58,12 +62,12 @@ fn what_stands_still_is_kept() {
     }
     let mut field = LightField::new(8, 1);
     (field.moving, field.moving_surfaces) = (2, 2);
-    by_field(&renderer, &scene, &mut field);
+    by_field(&renderer, &scene, Method::RectQuadrature, &mut field);
     let [.., a, b] = scene.rectangles.as_mut_slice() else { panic!("the scene has two surfaces") };
     std::mem::swap(&mut a.center, &mut b.center);
     assert!(a.name == "floor" && b.name == "back");
-    let kept = by_field(&renderer, &scene, &mut field);
+    let kept = by_field(&renderer, &scene, Method::RectQuadrature, &mut field);
     field.forget();
-    let anew = by_field(&renderer, &scene, &mut field);
+    let anew = by_field(&renderer, &scene, Method::RectQuadrature, &mut field);
     assert_eq!(kept, anew);
 }
