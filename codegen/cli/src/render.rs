@@ -30,7 +30,7 @@ pub(crate) struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// direct, rect, rect-quadrature, rect-laplace, rect-laplace-single, rect-laplace-fast, rect-sg, rect-paper, vpl, vsl, vsl-wide, vsgl, vsgl2, vsgl2-paper or reference
-    #[arg(long, default_value_t = Method::RectLaplace)]
+    #[arg(long, default_value_t = Method::RectQuadrature)]
     method: Method,
     /// What runs the passes, as `interp` or `spirv@lavapipe`
     #[arg(long, default_value_t = Route::Interp)]

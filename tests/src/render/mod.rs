@@ -55,7 +55,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            method: Method::RectLaplace,
+            method: Method::RectQuadrature,
             samples: 256,
             radius_factor: 3.0,
             shadows: false,

@@ -32,7 +32,7 @@ fn check(name: &str, settings: &Settings, size: [u32; 2]) {
 #[test]
 fn rectangles_on_every_route() {
     check("cornell_L0.json", &Settings::default(), [8, 8]);
-    for method in [Method::RectPaper, Method::RectQuadrature] {
+    for method in [Method::RectPaper, Method::RectLaplace] {
         check("plates_a010.json", &Settings { method, ..Settings::default() }, [6, 6]);
     }
 }

@@ -12,7 +12,7 @@ use lobe_tests::scene::Scene;
 use rayon::prelude::*;
 use serde_json::Value;
 
-const METHODS: [Method; 3] = [Method::Rect, Method::RectLaplace, Method::Reference];
+const METHODS: [Method; 4] = [Method::Rect, Method::RectLaplace, Method::RectQuadrature, Method::Reference];
 
 /// What came of a case.
 enum Outcome {
