@@ -15,6 +15,16 @@ fn an_unknown_kernel_is_answered_with_the_nearest() {
 }
 
 #[test]
+fn a_method_that_cannot_is_refused_with_those_that_can() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/cases/scenes/plates_a010.json");
+    for option in [&["--shadows"][..], &["--field", "8"]] {
+        let args = [&["render", scene, "--method", "rect", "-o", "never.exr"], option].concat();
+        let wanted = ["is for rect-quadrature and rect-laplace", "not rect"];
+        assert_fails(&lobe(&args), 2, &[&[option[0]], &wanted[..]].concat());
+    }
+}
+
+#[test]
 fn malformed_rows_are_named_by_line_and_column() {
     let eval = |input| lobe_with_input(&["eval", "erf", "--args", "-"], input);
     assert_fails(&eval("{\"x\": 1}\n\n{\"x\": }\n"), 2, &["standard input: line 3, column 7", "no JSON"]);

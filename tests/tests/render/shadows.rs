@@ -46,10 +46,12 @@ fn nothing_in_the_way_is_no_shadow() {
 fn pixels_that_take_turns_are_those_of_one_turn() {
     let mut scene = screened(0.5);
     let whole = shadowed(&scene, Method::RectQuadrature);
-    // 20 times the light in as many lights: too many rays for one turn.
+    // The light in 40 parts, whose rays are too many for one turn of all pixels.
     let Light::Directional { to_light, irradiance } = scene.lights[0] else { panic!("another light") };
-    scene.lights = vec![Light::Directional { to_light, irradiance: irradiance / 20.0 }; 20];
+    scene.lights = vec![Light::Directional { to_light, irradiance: irradiance / 40.0 }; 40];
     let bands = shadowed(&scene, Method::RectQuadrature);
+    let late = &layer(&whole, "indirect_total_vis")[whole.radiance.len() / 2..];
+    assert!(late.iter().flatten().any(|v| *v > 0.0), "no light of one bounce in a later turn");
     for (one, other) in whole.radiance.iter().zip(&bands.radiance) {
         assert!((*one - *other).abs().max_element() <= 1e-5 * one.max_element(), "{one} and {other}");
     }
