@@ -113,22 +113,22 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 
 /// Whether the method can do what is asked for.
 fn check_method(args: &Args) -> Result<(), Fail> {
-    let asked: [(&str, bool, fn(Method) -> bool); 2] = [
-        ("--shadows", args.shadows, Method::has_shadows),
-        ("--field", args.field.is_some(), |method| method.field_pass().is_some()),
-    ];
-    for (option, is_asked, can) in asked {
-        if is_asked && !can(args.method) {
-            let names: Vec<&str> = Method::ALL.into_iter().filter(|m| can(*m)).map(Method::name).collect();
-            let message = format!(
-                "{option} is for {}; give one of them as --method, not {}",
-                names.join(" and "),
-                args.method
-            );
-            return Err(Fail::Usage(message));
-        }
+    if args.shadows {
+        check_can(args.method, "--shadows", Method::has_shadows)?;
+    }
+    if args.field.is_some() {
+        check_can(args.method, "--field", |method| method.field_pass().is_some())?;
     }
     Ok(())
+}
+
+fn check_can(method: Method, option: &str, can: impl Fn(Method) -> bool) -> Result<(), Fail> {
+    if can(method) {
+        return Ok(());
+    }
+    let names: Vec<&str> = Method::ALL.into_iter().filter(|m| can(*m)).map(Method::name).collect();
+    let names = names.join(" and ");
+    Err(Fail::Usage(format!("{option} is for {names}; give one of them as --method, not {method}")))
 }
 
 /// The scene in the file, in the size that is asked for.

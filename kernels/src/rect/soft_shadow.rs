@@ -128,7 +128,7 @@ pub fn rect_soft_pass(
                 let mut bits = 0_u32;
                 for k in 0..9_u32 {
                     let at = begin + 2 * k;
-                    bits = bits | ((visible[at as usize] * visible[(at + 1) as usize]) << k);
+                    bits += (visible[at as usize] * visible[(at + 1) as usize]) << k;
                 }
                 free[part as usize] = bits;
             }
