@@ -7,6 +7,7 @@
 //! | [`bvh`] | whether a ray meets a box; the passes that find what a ray meets |
 //! | [`light`] | what arrives of a light at a point |
 //! | [`direct`] | the passes that light pixels directly |
+//! | [`texture`] | what a surface is like at a point, by textures and corners |
 //!
 //! All work is in passes: compute entry points over buffers, an invocation a ray or a pixel. A pass's parameters are
 //! the names of its buffers, so passes that share a name share the buffer.
@@ -18,6 +19,7 @@ pub mod bvh;
 pub mod camera;
 pub mod direct;
 pub mod light;
+pub mod texture;
 pub mod triangle;
 
 use crate::rect::Rectangle;

@@ -22,7 +22,7 @@ mod expect {
     pub(super) fn triangle(vertices: [Vec3; 3], material: usize) -> Triangle {
         let [a, b, c] = vertices.map(|vertex| vertex.as_dvec3());
         let normal: DVec3 = (b - a).cross(c - a).normalize();
-        Triangle { vertices, normal: normal.as_vec3(), material, two_sided: false }
+        Triangle { vertices, normal: normal.as_vec3(), material, two_sided: false, detail: None }
     }
 
     /// A surface over the unit square, of `n` by `n` squares.

@@ -4,7 +4,7 @@ use super::limits::{
     self, ALPHAS, LEAST_BLEND_DEGREES, OUTER_DEGREES, POWERS, SHARES, direction, number, place, refused,
     triple,
 };
-use super::{Camera, FORMAT, Light, Material, Scene, SceneError, Surface};
+use super::{Camera, Details, FORMAT, Light, Material, Scene, SceneError, Surface};
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, Visitor};
 
@@ -103,6 +103,7 @@ impl Scene {
             lights: some("lights", text.lights, |at, light| self::light(&at, &light))?,
             rectangles: some("rects", text.rects, |at, rect| surface(&at, rect, &materials))?,
             triangles: Vec::new(),
+            details: Details::default(),
             notes: Vec::new(),
             materials,
         })

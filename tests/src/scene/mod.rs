@@ -5,14 +5,17 @@
 //! direction has length one, every material that is named is there.
 
 mod camera;
+mod details;
 mod gltf;
 mod json;
 mod limits;
 mod open;
 
 pub use camera::{Camera, Ray};
+pub use details::{Detail, Details, texel_values};
 pub use gltf::{Choices, Files};
 pub use lobe_kernels::brdf::Material;
+pub use lobe_kernels::scene::texture::{Corner, Skin, TexelImage};
 
 use lobe_codegen::prelude::Vec3;
 
@@ -25,12 +28,14 @@ pub struct Scene {
     pub camera: Camera,
     /// At least one; none is seen itself.
     pub lights: Vec<Light>,
-    /// By name.
+    /// By name; one with textures is their mean over the triangles that have it.
     pub materials: Vec<(String, Material)>,
     /// At least one, unless there are triangles.
     pub rectangles: Vec<Surface>,
     /// At least one, unless there are rectangles.
     pub triangles: Vec<Triangle>,
+    /// What the triangles' details are made of.
+    pub details: Details,
     /// What of the file was passed over or changed, a sentence each.
     pub notes: Vec<String>,
 }
@@ -89,6 +94,8 @@ pub struct Triangle {
     pub material: usize,
     /// Whether it reflects on its back too, as its front does with the normal turned; else on the side of its normal alone.
     pub two_sided: bool,
+    /// What it has besides; `None` where it is flat and of one material.
+    pub detail: Option<Detail>,
 }
 
 /// Why a scene is refused.

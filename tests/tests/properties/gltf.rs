@@ -3,6 +3,7 @@
 use crate::meshes::{binary, plates, room};
 use crate::scene::{assert_sound, change, changed};
 use crate::support::check;
+use crate::textured::textured;
 use lobe_codegen::glam::Vec3;
 use lobe_tests::scene::{Choices, Light, Scene, SceneError};
 use proptest::prelude::*;
@@ -24,7 +25,7 @@ fn read(value: &Value) -> Result<Scene, SceneError> {
 /// `LOBE_BLESS=1` writes them.
 #[test]
 fn kept_files_are_what_is_built() {
-    for (name, built) in [("room", room()), ("plates", plates())] {
+    for (name, built) in [("room", room()), ("plates", plates()), ("textured", textured())] {
         let (path, text) = (folder().join(format!("{name}.gltf")), format!("{built:#}\n"));
         if std::env::var_os("LOBE_BLESS").is_some() {
             std::fs::write(&path, &text).expect("writable");
@@ -221,8 +222,9 @@ fn small_files_make_no_large_scenes() {
 /// Bytes of a file with some of them changed, left out or put in.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let edit = (any::<prop::sample::Index>(), 0..4u8, any::<u8>());
-    (any::<bool>(), prop::collection::vec(edit, 1..5)).prop_map(|(large, edits)| {
-        let mut bytes = binary(&if large { room() } else { plates() });
+    let files = prop::sample::select(vec![room(), plates(), textured()]);
+    (files, prop::collection::vec(edit, 1..5)).prop_map(|(file, edits)| {
+        let mut bytes = binary(&file);
         for (place, kind, byte) in edits.into_iter().filter(|(place, ..)| place.index(2) < 2) {
             let at = place.index(bytes.len().max(1)).min(bytes.len().saturating_sub(1));
             match kind {
@@ -237,7 +239,7 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 }
 
 fn texts() -> impl Strategy<Value = Vec<u8>> {
-    let texts = vec![format!("{:#}", room()), plates().to_string()];
+    let texts = vec![format!("{:#}", room()), plates().to_string(), textured().to_string()];
     (prop::sample::select(texts), prop::collection::vec(change(), 1..4)).prop_map(|(text, changes)| {
         changes.iter().fold(text, |text, change| changed(&text, change)).into_bytes()
     })

@@ -12,4 +12,6 @@ mod reference;
 mod scene;
 mod sg;
 mod support;
+mod textured;
+mod textures;
 mod vsgl;

@@ -1,4 +1,4 @@
-//! glTF files that tests read: the two of `tests/cases/scenes`, built here.
+//! glTF files that tests read: those of `tests/cases/scenes` without textures, built here.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -6,22 +6,36 @@ use serde_json::{Value, json};
 
 /// Buffers and what points into them.
 #[derive(Default)]
-struct Builder {
+pub(crate) struct Builder {
     bytes: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
 }
 
 impl Builder {
-    fn view(&mut self, bytes: &[u8], accessor: Value) -> usize {
+    /// Bytes without an accessor; the index of their view.
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) -> usize {
         self.views.push(json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() }));
         self.bytes.extend(bytes);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        self.views.len() - 1
+    }
+
+    fn view(&mut self, bytes: &[u8], accessor: Value) -> usize {
+        self.bytes(bytes);
         self.accessors.push(accessor);
         self.accessors.len() - 1
     }
 
-    fn points(&mut self, points: &[[f32; 3]]) -> usize {
+    /// Vectors of two, three or four numbers.
+    pub(crate) fn vectors<const N: usize>(&mut self, vectors: &[[f32; N]]) -> usize {
+        let accessor = json!({
+            "bufferView": self.views.len(), "componentType": 5126, "count": vectors.len(), "type": format!("VEC{N}"),
+        });
+        self.view(&vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>(), accessor)
+    }
+
+    pub(crate) fn points(&mut self, points: &[[f32; 3]]) -> usize {
         let bound = |pick: fn(f32, f32) -> f32| -> Vec<f32> {
             (0..3).filter_map(|i| points.iter().map(|p| p[i]).reduce(pick)).collect()
         };
@@ -32,7 +46,7 @@ impl Builder {
         self.view(&points.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>(), accessor)
     }
 
-    fn indices(&mut self, indices: &[u16]) -> usize {
+    pub(crate) fn indices(&mut self, indices: &[u16]) -> usize {
         let accessor = json!({
             "bufferView": self.views.len(), "componentType": 5123, "count": indices.len(), "type": "SCALAR",
         });
@@ -40,7 +54,7 @@ impl Builder {
     }
 
     /// A plate `corner + s u + t v`, s and t in 0 ..= 1, of `n` by `n` squares.
-    fn plate(&mut self, [corner, u, v]: [[f32; 3]; 3], n: u16, material: usize) -> Value {
+    pub(crate) fn plate(&mut self, [corner, u, v]: [[f32; 3]; 3], n: u16, material: usize) -> Value {
         let at = |i: u16, j: u16| {
             let [s, t] = [i, j].map(|k| f32::from(k) / f32::from(n));
             [0, 1, 2].map(|axis| corner[axis] + s * u[axis] + t * v[axis])
@@ -58,10 +72,13 @@ impl Builder {
     }
 
     /// The file, with `rest` beside the buffers.
-    fn finish(self, mut rest: Value) -> Value {
+    pub(crate) fn finish(self, mut rest: Value) -> Value {
         rest["asset"] = json!({ "version": "2.0" });
         rest["scene"] = json!(0);
-        rest["extensionsUsed"] = json!(["KHR_lights_punctual"]);
+        rest["extensionsUsed"] = match rest["extensionsUsed"].take() {
+            Value::Null => json!(["KHR_lights_punctual"]),
+            used => used,
+        };
         rest["accessors"] = json!(self.accessors);
         rest["bufferViews"] = json!(self.views);
         let uri = format!("data:application/octet-stream;base64,{}", STANDARD.encode(&self.bytes));

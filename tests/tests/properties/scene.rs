@@ -71,6 +71,7 @@ pub(crate) fn assert_sound(scene: &Scene) {
         assert!(is_unit(triangle.normal) && triangle.vertices.iter().all(|v| v.is_finite()), "{triangle:?}");
         assert!(triangle.material < scene.materials.len(), "{triangle:?}");
     }
+    assert_details_sound(scene);
     for (name, material) in &scene.materials {
         assert!((0.02..=1.0).contains(&material.alpha), "{name}");
         for share in [material.diffuse_albedo, material.f0, Vec3::splat(material.f90)] {
@@ -81,6 +82,26 @@ pub(crate) fn assert_sound(scene: &Scene) {
     for (column, row) in [(0, 0), (width - 1, height - 1), (width / 2, height / 2)] {
         let Ray { origin, direction } = scene.camera.ray(column, row);
         assert!(origin.is_finite() && is_unit(direction), "{origin} {direction}");
+    }
+}
+
+/// Every corner, skin and texel that is named is there.
+#[track_caller]
+fn assert_details_sound(scene: &Scene) {
+    let is_unit = |v: Vec3| (v.length() - 1.0).abs() < 1e-5;
+    let details = &scene.details;
+    for detail in scene.triangles.iter().filter_map(|triangle| triangle.detail) {
+        assert!(detail.corners.iter().all(|corner| (*corner as usize) < details.corners.len()), "{detail:?}");
+        assert!((detail.skin as usize) < details.skins.len(), "{detail:?}");
+    }
+    for corner in &details.corners {
+        assert!(is_unit(corner.normal) && corner.uvs.iter().all(|uv| uv.is_finite()), "{corner:?}");
+        assert!(is_unit(corner.tangent) || corner.tangent == Vec3::ZERO, "{corner:?}");
+        assert!(corner.handedness.abs() == 1.0, "{corner:?}");
+    }
+    for image in details.skins.iter().flat_map(|skin| skin.images) {
+        let end = u64::from(image.first) + u64::from(image.width) * u64::from(image.height);
+        assert!(end <= details.texels.len() as u64, "{image:?}");
     }
 }
 

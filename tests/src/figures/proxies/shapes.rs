@@ -33,7 +33,7 @@ pub(super) fn vase_and_bush() -> Result<Scene, SheetError> {
 
 fn triangle([a, b, c]: [Vec3; 3], material: usize, two_sided: bool) -> Option<Triangle> {
     let normal = (b - a).as_dvec3().cross((c - a).as_dvec3()).try_normalize()?.as_vec3();
-    Some(Triangle { vertices: [a, b, c], normal, material, two_sided })
+    Some(Triangle { vertices: [a, b, c], normal, material, two_sided, detail: None })
 }
 
 fn square([a, b, c, d]: [Vec3; 4], material: usize, two_sided: bool) -> impl Iterator<Item = Triangle> {

@@ -49,14 +49,15 @@ impl Buffers {
 
 const NO_CHUNK: &str = "it has no uri, and there is no binary chunk for it; give it one, or the file as .glb";
 
-fn of_uri(at: &str, uri: &str, files: Files) -> Result<Vec<u8>, SceneError> {
+/// The bytes that a URI names: its own, or those of a file beside the scene.
+pub(super) fn of_uri(at: &str, uri: &str, files: Files) -> Result<Vec<u8>, SceneError> {
     if let Some(data) = uri.strip_prefix("data:") {
         return of_data(at, data);
     }
     let path = percent_decode_str(uri).decode_utf8_lossy();
     if !is_beside(&path) {
         let what = format!("the URI {uri:?}");
-        let instead = "a buffer is a data URI or a file in the folder of the glTF file or below";
+        let instead = "write a data URI, or name a file in the folder of the glTF file or below";
         return Err(SceneError::Unsupported { at: at.to_owned(), what, instead });
     }
     files(&path).map_err(|message| SceneError::File { name: path.into_owned(), message })
@@ -70,7 +71,7 @@ fn is_beside(path: &str) -> bool {
 
 fn of_data(at: &str, data: &str) -> Result<Vec<u8>, SceneError> {
     let Some((_, text)) = data.split_once(";base64,") else {
-        return refused(at, "its data URI is not in base64; write `data:application/octet-stream;base64,..`");
+        return refused(at, "its data URI is not in base64; write `data:TYPE;base64,..`");
     };
     STANDARD.decode(text).or_else(|error| refused(at, format!("its data URI is no base64: {error}")))
 }

@@ -1,14 +1,17 @@
 //! Meshes as triangles of the world.
 
+use super::Files;
 use super::buffers::Buffers;
-use super::elements;
+use super::corners::{Faces, Found};
+use super::elements::{self, POSITIONS};
+use super::images::Images;
 use super::materials::Materials;
 use super::nodes::Placed;
 use super::notes::Notes;
 use crate::scene::limits::{PLACES, refused};
-use crate::scene::{SceneError, Triangle};
+use crate::scene::{Detail, Details, SceneError, Triangle};
 use gltf::mesh::Mode;
-use gltf::{Primitive, Semantic};
+use gltf::{Document, Primitive, Semantic};
 use lobe_codegen::glam::{DMat4, DVec3, Vec3};
 
 /// The most triangles of a scene, and a third of the most vertices: a mesh may be placed many times by few bytes.
@@ -19,10 +22,13 @@ const LEAST_HEIGHT: f64 = 1e-6;
 
 /// Reads meshes where nodes place them.
 pub(super) struct Meshes<'a> {
+    document: &'a Document,
     buffers: &'a Buffers,
+    images: Images<'a>,
     materials: &'a mut Materials,
     notes: &'a mut Notes,
     triangles: Vec<Triangle>,
+    details: Details,
     /// Vertices and triangles that may still come.
     left: [usize; 2],
     /// Triangles without a plane.
@@ -30,19 +36,26 @@ pub(super) struct Meshes<'a> {
 }
 
 impl<'a> Meshes<'a> {
-    pub(super) fn new(buffers: &'a Buffers, materials: &'a mut Materials, notes: &'a mut Notes) -> Self {
+    pub(super) fn new(
+        (document, buffers, files): (&'a Document, &'a Buffers, Files<'a>),
+        materials: &'a mut Materials,
+        notes: &'a mut Notes,
+    ) -> Self {
         Self {
+            document,
             buffers,
+            images: Images::new(document, buffers, files),
             materials,
             notes,
             triangles: Vec::new(),
+            details: Details::default(),
             left: [3 * MOST_TRIANGLES, MOST_TRIANGLES],
             flat: 0,
         }
     }
 
     /// The triangles of all nodes, at least one.
-    pub(super) fn triangles(mut self, nodes: &[Placed]) -> Result<Vec<Triangle>, SceneError> {
+    pub(super) fn triangles(mut self, nodes: &[Placed]) -> Result<(Vec<Triangle>, Details), SceneError> {
         for placed in nodes {
             let Some(mesh) = placed.node.mesh() else { continue };
             if placed.node.skin().is_some() {
@@ -59,7 +72,10 @@ impl<'a> Meshes<'a> {
         }
         match self.triangles.is_empty() {
             true => Err(SceneError::Missing { what: "triangle", add: ADD }),
-            false => Ok(self.triangles),
+            false => {
+                self.details.texels = self.images.texels;
+                Ok((self.triangles, self.details))
+            }
         }
     }
 
@@ -68,24 +84,44 @@ impl<'a> Meshes<'a> {
             self.notes.say("points and lines are passed over", at);
             return Ok(());
         }
+        if primitive.get(&Semantic::Colors(0)).is_some() {
+            self.notes.say("colours of vertices are passed over", at);
+        }
         if primitive.morph_targets().len() > 0 {
             self.notes.say("morph targets are passed over", at);
         }
         let points = self.points(at, primitive, to_world)?;
         let indices = self.indices(at, primitive, points.len())?;
-        let corners = corners(primitive.mode(), &indices);
+        let mut corners = corners(primitive.mode(), &indices);
         self.spend(at, points.len(), corners.len())?;
+        if to_world.determinant() < 0.0 {
+            corners.iter_mut().for_each(|corners| corners.swap(1, 2));
+        }
         let (material, two_sided) = self.materials.of(primitive, self.notes)?;
-        let mirrored = to_world.determinant() < 0.0;
-        for corners in corners {
-            let [a, b, c] = corners.map(|index| points[index as usize]);
-            let vertices = if mirrored { [a, c, b] } else { [a, b, c] };
+        let (points, triangles) = (&points, &corners);
+        let faces = Faces { at, primitive, to_world, points, triangles, buffers: self.buffers };
+        let details = self.details(&faces, material)?;
+        for (i, corners) in corners.iter().enumerate() {
+            let vertices = corners.map(|index| points[index as usize]);
+            let detail = details.as_ref().map(|details| details[i]);
             match normal(vertices) {
-                Some(normal) => self.triangles.push(Triangle { vertices, normal, material, two_sided }),
+                Some(normal) => {
+                    self.triangles.push(Triangle { vertices, normal, material, two_sided, detail });
+                }
                 None => self.flat += 1,
             }
         }
         Ok(())
+    }
+
+    /// What each triangle has besides its plane and material, if they have anything.
+    fn details(&mut self, faces: &Faces, material: usize) -> Result<Option<Vec<Detail>>, SceneError> {
+        let found = faces.corners(self.materials.slots(material), self.notes)?;
+        let Some(Found { corners, of }) = found else { return Ok(None) };
+        let first = self.details.corners.len() as u32;
+        let skin = self.materials.skin(material, self.document, &mut self.images, &mut self.details.skins)?;
+        self.details.corners.extend(corners);
+        Ok(Some(of.into_iter().map(|of| Detail { corners: of.map(|at| first + at), skin }).collect()))
     }
 
     fn points(&self, at: &str, primitive: &Primitive, to_world: DMat4) -> Result<Vec<Vec3>, SceneError> {
@@ -103,7 +139,7 @@ impl<'a> Meshes<'a> {
                 ),
             }
         };
-        elements::points(&accessor, self.buffers)?.into_iter().enumerate().map(placed).collect()
+        elements::vectors(&accessor, self.buffers, &POSITIONS)?.into_iter().enumerate().map(placed).collect()
     }
 
     /// Indices of vertices, each of one that is there.
@@ -153,7 +189,7 @@ fn corners(mode: Mode, indices: &[u32]) -> Vec<[u32; 3]> {
 }
 
 /// Unit normal of a triangle; `None` if it has no area to speak of.
-fn normal(vertices: [Vec3; 3]) -> Option<Vec3> {
+pub(super) fn normal(vertices: [Vec3; 3]) -> Option<Vec3> {
     let [a, b, c] = vertices.map(|vertex| vertex.as_dvec3());
     let across = (b - a).cross(c - a);
     let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());

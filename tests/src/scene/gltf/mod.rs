@@ -5,16 +5,19 @@
 //! for it were seen.
 
 mod buffers;
+mod corners;
 mod elements;
+mod images;
 mod lights;
 mod materials;
 mod mesh;
 mod nodes;
 mod notes;
+mod textures;
 mod view;
 
 use super::limits::refused;
-use super::{Light, Scene, SceneError};
+use super::{Details, Light, Material, Scene, SceneError, Triangle};
 use buffers::Buffers;
 use gltf::{Document, Gltf};
 use materials::Materials;
@@ -39,11 +42,11 @@ impl Default for Choices {
     }
 }
 
-/// Gives the bytes of a file that a buffer names by a relative path, or says why it does not.
+/// Gives the bytes of a file that a buffer or an image names by a relative path, or says why it does not.
 pub type Files<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 impl Scene {
-    /// Reads the scene of a glTF 2.0 file, text or binary; `files` gives the buffers that lie beside it.
+    /// Reads the scene of a glTF 2.0 file, text or binary; `files` gives the buffers and images that lie beside it.
     ///
     /// ```
     /// use lobe_tests::scene::{Choices, Scene};
@@ -55,7 +58,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// When the bytes are no sound glTF 2.0, a buffer is missing or too short, a number is out of its range, or there is no
+    /// When the bytes are no sound glTF 2.0, a buffer is missing or too short, an image is broken, a number is out of its range, or there is no
     /// triangle or no light.
     pub fn from_gltf(bytes: &[u8], files: Files, choices: &Choices) -> Result<Self, SceneError> {
         // Where the crate trusts a file more than it should, it panics.
@@ -72,7 +75,9 @@ fn read(bytes: &[u8], files: Files, choices: &Choices) -> Result<Scene, SceneErr
     let nodes = nodes::placed(&scene)?;
     let mut materials = Materials::read(&document, &mut notes)?;
     let buffers = Buffers::load(&document, blob, files)?;
-    let triangles = Meshes::new(&buffers, &mut materials, &mut notes).triangles(&nodes)?;
+    let meshes = Meshes::new((&document, &buffers, files), &mut materials, &mut notes);
+    let (triangles, details) = meshes.triangles(&nodes)?;
+    means(&mut materials.list, &triangles, &details);
     Ok(Scene {
         name: scene.name().unwrap_or_default().to_owned(),
         camera: view::camera(&nodes, choices, &triangles, &mut notes)?,
@@ -80,8 +85,25 @@ fn read(bytes: &[u8], files: Files, choices: &Choices) -> Result<Scene, SceneErr
         materials: materials.list,
         rectangles: Vec::new(),
         triangles,
+        details,
         notes: notes.sentences(),
     })
+}
+
+/// Puts the mean over its triangles in the place of each material with textures.
+fn means(materials: &mut [(String, Material)], triangles: &[Triangle], details: &Details) {
+    let mut textured = vec![Vec::new(); materials.len()];
+    for triangle in triangles {
+        let Some(detail) = triangle.detail else { continue };
+        let images = details.skins.get(detail.skin as usize).map(|skin| &skin.images);
+        if images.is_some_and(|[colour, shares, _]| colour.width + shares.width > 0) {
+            let [a, b, c] = triangle.vertices.map(|vertex| vertex.as_dvec3());
+            textured[triangle.material].push((detail, (b - a).cross(c - a).length()));
+        }
+    }
+    for ((_, material), found) in materials.iter_mut().zip(textured) {
+        *material = details.mean(&found).unwrap_or(*material);
+    }
 }
 
 /// The document, all its indices inside their lists.

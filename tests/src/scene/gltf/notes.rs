@@ -10,7 +10,8 @@ pub(super) struct Notes(Vec<(String, Vec<String>)>);
 const LISTED: usize = 5;
 
 /// Extensions that are read.
-const KNOWN: [&str; 3] = ["KHR_lights_punctual", "KHR_materials_ior", "KHR_materials_specular"];
+const KNOWN: [&str; 4] =
+    ["KHR_lights_punctual", "KHR_materials_ior", "KHR_materials_specular", "KHR_texture_transform"];
 
 impl Notes {
     /// Says `sentence` of `name`, once.
