@@ -217,6 +217,7 @@ pub const PASSES: &[FunctionRef] = &kernels![
     scene::camera::camera_pass,
     scene::bvh::nearest_pass,
     scene::seen_pass,
+    scene::point::textured_point_pass,
     scene::direct::light_ray_pass,
     scene::bvh::shadow_pass,
     scene::direct::direct_pass,

@@ -11,6 +11,7 @@ use crate::reference::random::random_pair;
 use crate::reference::rectangle::{rectangle_intersect, rectangle_is_met};
 use crate::reference::running_mean::{RunningMean, luminance, running_mean_add};
 use crate::scene::light::{Arriving, SceneLight, light_at, ray_to_light};
+use crate::scene::texture::{SurfacePoint, is_behind_plane};
 use crate::scene::{NOWHERE, SceneRay, Seen, Surface};
 use lobe_codegen::prelude::*;
 
@@ -104,18 +105,20 @@ pub fn no_ray() -> SceneRay {
 
 /// The samples of a round, a pixel's together, and two shadow rays for each: a pass.
 ///
-/// Each sample is of one reflecting surface of `reflectors` and of one light, drawn uniformly.
+/// Each sample is of one reflecting surface of `reflectors` and of one light, drawn uniformly. The reflecting
+/// surface counts as flat and of one material.
 #[kernel(workgroup_size(64))]
 pub fn bounce_sample_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[uniform(0, 0)] part: &BounceRound,
-    #[storage(0, 1)] seen: &[Seen],
+    #[storage(0, 0)] seen: &[Seen],
+    #[storage(0, 1)] points: &[SurfacePoint],
     #[storage(0, 2)] surfaces: &[Surface],
     #[storage(0, 3)] materials: &[Material],
     #[storage(0, 4)] lights: &[SceneLight],
     #[storage(0, 5)] reflectors: &[u32],
     #[storage(0, 6)] bounces: &mut [BounceSample],
     #[storage(0, 7)] shadow_rays: &mut [SceneRay],
+    #[uniform(0, 8)] part: &BounceRound,
 ) {
     let i = id.x;
     if i >= bounces.len() as u32 {
@@ -135,13 +138,16 @@ pub fn bounce_sample_pass(
         let surface = surfaces[reflector as usize];
         let rectangle = surface.rectangle;
         let central: Arriving = light_at(light, rectangle.position);
-        let material = materials[own.material as usize];
+        let mut point = SurfacePoint { material: materials[own.material as usize], normal: pixel.normal };
+        if pixel.point_index != NOWHERE {
+            point = points[pixel.point_index as usize];
+        }
         let rectangle_material = materials[surface.material as usize];
         let bounce = OneBounce {
             position: pixel.position,
-            normal: pixel.normal,
+            normal: point.normal,
             view: pixel.view,
-            material,
+            material: point.material,
             rectangle,
             rectangle_material,
             light: central.dir,
@@ -149,14 +155,14 @@ pub fn bounce_sample_pass(
         let strategy = chosen(random_pair(at, sample, 1).x, 4);
         let dir = one_bounce_sample(bounce, strategy, random_pair(at, sample, 2));
         let meeting = rectangle_intersect(rectangle, pixel.position, dir);
-        if surface_is_met(surface, meeting) {
+        if surface_is_met(surface, meeting) && !is_behind_plane(pixel.normal, point.normal, dir) {
             let place = pixel.position + meeting.z * dir;
             let arriving = light_at(light, place);
             let lit = OneBounce {
                 position: pixel.position,
-                normal: pixel.normal,
+                normal: point.normal,
                 view: pixel.view,
-                material,
+                material: point.material,
                 rectangle,
                 rectangle_material,
                 light: arriving.dir,

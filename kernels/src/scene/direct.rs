@@ -3,6 +3,7 @@
 use crate::brdf::Material;
 use crate::brdf::model::{glossy_part, surface_brdf_cosine};
 use crate::scene::light::{SceneLight, light_at, ray_to_light};
+use crate::scene::texture::{SurfacePoint, is_behind_plane};
 use crate::scene::{NOWHERE, SceneRay, Seen, Surface};
 use lobe_codegen::prelude::*;
 
@@ -53,9 +54,10 @@ pub fn direct_pass(
     #[storage(0, 0)] seen: &[Seen],
     #[storage(0, 1)] surfaces: &[Surface],
     #[storage(0, 2)] materials: &[Material],
-    #[storage(0, 3)] lights: &[SceneLight],
-    #[storage(0, 4)] visible: &[u32],
-    #[storage(0, 5)] direct: &mut [DirectPixel],
+    #[storage(0, 3)] points: &[SurfacePoint],
+    #[storage(0, 4)] lights: &[SceneLight],
+    #[storage(0, 5)] visible: &[u32],
+    #[storage(0, 6)] direct: &mut [DirectPixel],
 ) {
     let i = id.x;
     if i >= direct.len() as u32 {
@@ -66,16 +68,22 @@ pub fn direct_pass(
         DirectPixel { shadowed: Vec3::ZERO, unshadowed: Vec3::ZERO, unshadowed_specular: Vec3::ZERO };
     if pixel.surface != NOWHERE {
         let material = materials[surfaces[pixel.surface as usize].material as usize];
-        let glossy = glossy_part(material);
+        let mut point = SurfacePoint { material, normal: pixel.normal };
+        if pixel.point_index != NOWHERE {
+            point = points[pixel.point_index as usize];
+        }
+        let glossy = glossy_part(point.material);
         let count = lights.len() as u32;
         for k in 0..count {
             let arriving = light_at(lights[k as usize], pixel.position);
-            let all = surface_brdf_cosine(material, pixel.normal, arriving.dir, pixel.view);
-            let specular = surface_brdf_cosine(glossy, pixel.normal, arriving.dir, pixel.view);
+            let all = surface_brdf_cosine(point.material, point.normal, arriving.dir, pixel.view);
+            let specular = surface_brdf_cosine(glossy, point.normal, arriving.dir, pixel.view);
             let share = visible[(i * count + k) as usize] as f32;
             sum.shadowed += share * (arriving.irradiance * all);
-            sum.unshadowed += arriving.irradiance * all;
-            sum.unshadowed_specular += arriving.irradiance * specular;
+            let is_behind = is_behind_plane(pixel.normal, point.normal, arriving.dir);
+            let irradiance = select(arriving.irradiance, Vec3::ZERO, is_behind);
+            sum.unshadowed += irradiance * all;
+            sum.unshadowed_specular += irradiance * specular;
         }
     }
     direct[i as usize] = sum;

@@ -8,6 +8,7 @@
 //! | [`light`] | what arrives of a light at a point |
 //! | [`direct`] | the passes that light pixels directly |
 //! | [`texture`] | what a surface is like at a point, by textures and corners |
+//! | [`point`] | the pass that finds it for points that rays met |
 //!
 //! All work is in passes: compute entry points over buffers, an invocation a ray or a pixel. A pass's parameters are
 //! the names of its buffers, so passes that share a name share the buffer.
@@ -19,6 +20,7 @@ pub mod bvh;
 pub mod camera;
 pub mod direct;
 pub mod light;
+pub mod point;
 pub mod texture;
 pub mod triangle;
 
@@ -111,8 +113,10 @@ pub struct Seen {
     pub position: Vec3,
     /// Its surface; [`NOWHERE`] where there is none, or it is seen from behind.
     pub surface: u32,
-    /// Unit normal of the surface.
+    /// Unit normal of the surface's plane, on the side that is seen.
     pub normal: Vec3,
+    /// Index of what its surface is like there; [`NOWHERE`] where it is as everywhere on it.
+    pub point_index: u32,
     /// Unit direction to the camera.
     pub view: Vec3,
 }
@@ -144,6 +148,7 @@ pub fn seen_pass(
         position: ray.origin + hit.dist * ray.dir,
         surface,
         normal: select(-front.rectangle.normal, front.rectangle.normal, facing < 0.0),
+        point_index: NOWHERE,
         view: -ray.dir,
     };
 }

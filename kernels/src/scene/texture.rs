@@ -309,6 +309,19 @@ pub fn facing_normal(normal: Vec3, view: Vec3) -> Vec3 {
     turned * inverse_sqrt(max(dot(turned, turned), 1e-6))
 }
 
+/// Whether the normal to shade by faces a direction that the plane does not: nothing arrives from there, and nothing leaves.
+///
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `plane`, `shading` | unit normals of the plane and to shade by | sphere | 1 |
+/// | `dir` | unit direction | sphere | 1 |
+///
+/// Returns `false` where both are one.
+#[kernel]
+pub fn is_behind_plane(plane: Vec3, shading: Vec3, dir: Vec3) -> bool {
+    dot(shading, dir) > 0.0 && dot(plane, dir) <= 0.0
+}
+
 /// What a triangle with a skin is like at a point.
 ///
 /// | argument | meaning | domain | unit |

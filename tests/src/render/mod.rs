@@ -27,7 +27,7 @@ pub use upload::Uploaded;
 pub use virtual_lights::{Density, VirtualLights};
 
 use crate::proxies::Proxies;
-use crate::scene::Scene;
+use crate::scene::{Scene, texel_values};
 use lobe_backends::executor::ExecError;
 use lobe_backends::pipeline::{Dispatcher, Memory, Pipeline};
 use lobe_codegen::glam::Vec3;
@@ -162,6 +162,8 @@ struct Frame<'p, 'd> {
     settings: Settings,
     size: [u32; 2],
     lights: u32,
+    /// Whether surfaces have skins.
+    has_details: bool,
 }
 
 impl<'p, 'd> Frame<'p, 'd> {
@@ -180,10 +182,18 @@ impl<'p, 'd> Frame<'p, 'd> {
         memory.put("materials", pipeline.pack("materials", &uploaded.materials)?);
         memory.put("lights", pipeline.pack("lights", &uploaded.lights)?);
         memory.put("reflectors", pipeline.pack("reflectors", &uploaded.reflectors)?);
+        let has_details = !uploaded.surface_details.is_empty();
+        if has_details {
+            memory.put("details", pipeline.pack("details", &uploaded.surface_details)?);
+            memory.put("corners", pipeline.pack("corners", &uploaded.details.corners)?);
+            memory.put("skins", pipeline.pack("skins", &uploaded.details.skins)?);
+            memory.put("texels", pipeline.pack("texels", uploaded.details.some_texels())?);
+            memory.put("texel_values", pipeline.pack("texel_values", &texel_values())?);
+        }
         let settings_of_rect = RectSettings { radius_factor: settings.radius_factor };
         memory.put("settings", pipeline.pack("settings", &[settings_of_rect])?);
         let (lights, size) = (uploaded.lights.len() as u32, [uploaded.camera.width, uploaded.camera.height]);
-        Ok(Self { pipeline, dispatcher, memory, settings: *settings, size, lights })
+        Ok(Self { pipeline, dispatcher, memory, settings: *settings, size, lights, has_details })
     }
 
     fn pixels(&self) -> u32 {
@@ -201,7 +211,7 @@ impl<'p, 'd> Frame<'p, 'd> {
         self.dispatcher.dispatch(self.pipeline.pass(pass)?, count, &mut self.memory)
     }
 
-    /// What each pixel sees.
+    /// What each pixel sees, and what that is like.
     fn see(&mut self) -> Result<(), ExecError> {
         let pixels = self.pixels();
         for buffer in ["rays", "hits", "seen"] {
@@ -210,7 +220,12 @@ impl<'p, 'd> Frame<'p, 'd> {
         for pass in ["camera_pass", "nearest_pass", "seen_pass"] {
             self.dispatch(pass, pixels)?;
         }
-        Ok(())
+        if !self.has_details {
+            // Nobody asks for a point, but no buffer is empty.
+            return self.room("points", 1);
+        }
+        self.room("points", pixels)?;
+        self.dispatch("textured_point_pass", pixels)
     }
 
     /// Direct light.

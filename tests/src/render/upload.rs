@@ -2,13 +2,14 @@
 
 use super::bvh::Bvh;
 use crate::proxies::{Proxies, Proxy};
-use crate::scene::{self, Camera, Light, Scene};
+use crate::scene::{self, Camera, Detail, Details, Light, Scene};
 use lobe_codegen::glam::Vec3;
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::pass::RectProxy;
 use lobe_kernels::scene::camera::PinholeCamera;
 use lobe_kernels::scene::light::SceneLight;
+use lobe_kernels::scene::texture::SurfaceDetail;
 use lobe_kernels::scene::{NOWHERE, Surface, Triangle};
 
 /// The apex of a whole rectangle.
@@ -29,6 +30,10 @@ pub struct Uploaded {
     pub surfaces: Vec<Surface>,
     /// What the surfaces are made of.
     pub materials: Vec<Material>,
+    /// What each surface has besides; empty where none has anything.
+    pub surface_details: Vec<SurfaceDetail>,
+    /// What these are made of.
+    pub details: Details,
     /// The lights.
     pub lights: Vec<SceneLight>,
     /// Rectangles in their place, for the methods of rectangles.
@@ -45,9 +50,13 @@ impl Uploaded {
     pub fn new(scene: &Scene, proxies: &Proxies) -> Self {
         let mut surfaces: Vec<Surface> = (0_u32..).zip(&scene.rectangles).map(surface).collect();
         let mut triangles: Vec<Triangle> = surfaces.iter().flat_map(halves).collect();
+        let mut surface_details = vec![FLAT; surfaces.len()];
         for triangle in &scene.triangles {
             let at = surfaces.len() as u32;
-            surfaces.extend(sides(at, triangle));
+            for (surface, detail) in sides(at, triangle) {
+                surfaces.push(surface);
+                surface_details.push(detail);
+            }
             let [a, b, c] = triangle.vertices;
             triangles.push(Triangle { a, surface: at, b, c });
         }
@@ -56,9 +65,24 @@ impl Uploaded {
         let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
         let materials = scene.materials.iter().map(|(_, material)| *material).collect();
         let reflectors = reflectors(&surfaces, &lights);
+        if surface_details.iter().all(|detail| detail.skin == NOWHERE) {
+            surface_details.clear();
+        }
+        let details = scene.details.clone();
         let sides = |p: &Proxy| proxy(p).into_iter().map(|side| (side, p.deviation.max)).collect::<Vec<_>>();
         let (proxies, slacks) = proxies.rectangles.iter().flat_map(sides).unzip();
-        Self { camera, bvh, surfaces, materials, lights, proxies, slacks, reflectors }
+        Self {
+            camera,
+            bvh,
+            surfaces,
+            materials,
+            surface_details,
+            details,
+            lights,
+            proxies,
+            slacks,
+            reflectors,
+        }
     }
 }
 
@@ -90,32 +114,44 @@ fn halves(surface: &Surface) -> [Triangle; 2] {
     [triangle(corner(1.0, -1.0), corner(1.0, 1.0)), triangle(corner(1.0, 1.0), corner(-1.0, 1.0))]
 }
 
-/// The surface of a triangle, the `at`-th, and its back if it has one.
-fn sides(at: u32, triangle: &scene::Triangle) -> Vec<Surface> {
-    let [a, b, c] = triangle.vertices;
-    let side = |vertices, normal, back| {
-        let (rectangle, apex) = around(vertices, normal);
-        Surface { rectangle, material: triangle.material as u32, shape: at, back, apex }
+/// What a surface has besides that is flat and of one material.
+const FLAT: SurfaceDetail = SurfaceDetail { left: 0, right: 0, apex: 0, skin: NOWHERE };
+
+/// The surface of a triangle, the `at`-th, and its back if it has one, each with what it has besides.
+fn sides(at: u32, triangle: &scene::Triangle) -> Vec<(Surface, SurfaceDetail)> {
+    let side = |order: [usize; 3], normal, back| {
+        let (order, rectangle, apex) = around(order, triangle.vertices, normal);
+        let surface = Surface { rectangle, material: triangle.material as u32, shape: at, back, apex };
+        (surface, triangle.detail.map_or(FLAT, |detail| turned(detail, order)))
     };
     if triangle.two_sided {
-        vec![side([a, b, c], triangle.normal, at + 1), side([a, c, b], -triangle.normal, at)]
+        vec![side([0, 1, 2], triangle.normal, at + 1), side([0, 2, 1], -triangle.normal, at)]
     } else {
-        vec![side([a, b, c], triangle.normal, NOWHERE)]
+        vec![side([0, 1, 2], triangle.normal, NOWHERE)]
     }
 }
 
-/// The rectangle around a triangle, on its longest side, and where its apex is.
-fn around(vertices: [Vec3; 3], normal: Vec3) -> (Rectangle, f32) {
-    let length = |i: usize| (vertices[(i + 1) % 3] - vertices[i]).length_squared();
+/// A detail with its corners in another order.
+fn turned(detail: Detail, order: [usize; 3]) -> SurfaceDetail {
+    let [left, right, apex] = order.map(|i| detail.corners[i]);
+    SurfaceDetail { left, right, apex, skin: detail.skin }
+}
+
+/// The rectangle around a triangle, on its longest side, and where its apex is; and its corners in the order left, right,
+/// apex. They are given in one that is counter-clockwise about `normal`.
+fn around(order: [usize; 3], vertices: [Vec3; 3], normal: Vec3) -> ([usize; 3], Rectangle, f32) {
+    let given = order.map(|i| vertices[i]);
+    let length = |i: usize| (given[(i + 1) % 3] - given[i]).length_squared();
     let longest = (0..3).max_by(|i, j| length(*i).total_cmp(&length(*j))).unwrap_or(0);
-    let [a, b, c] = [0, 1, 2].map(|i| vertices[(longest + i) % 3]);
+    let order = [0, 1, 2].map(|i| order[(longest + i) % 3]);
+    let [a, b, c] = order.map(|i| vertices[i]);
     let base = b - a;
     let tangent = base.normalize();
     let across = normal.cross(tangent);
     let (half_x, half_y) = (0.5 * base.length(), 0.5 * (c - a).dot(across));
     let position = a + half_x * tangent + half_y * across;
     let apex = ((c - a).dot(tangent) / half_x - 1.0).clamp(-1.0, 1.0);
-    (Rectangle { position, normal, tangent, half_x, half_y }, apex)
+    (order, Rectangle { position, normal, tangent, half_x, half_y }, apex)
 }
 
 /// A proxy, and its back if it has one.

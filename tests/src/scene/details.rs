@@ -59,6 +59,12 @@ impl Details {
         })
     }
 
+    /// The texels, at least one: no buffer is empty.
+    #[must_use]
+    pub(crate) fn some_texels(&self) -> &[u32] {
+        if self.texels.is_empty() { &[0] } else { &self.texels }
+    }
+
     /// The mean material of triangles with one skin, each with its area; `None` of none.
     pub(super) fn mean(&self, triangles: &[(Detail, f64)]) -> Option<Material> {
         let values = texel_values();

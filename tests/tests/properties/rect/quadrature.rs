@@ -9,8 +9,8 @@ use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::pixel::{RectBounce, RectPixel, rect_pixel_quadrature};
 use lobe_kernels::reference::one_bounce::{OneBounce, one_bounce_area_integrand};
-use lobe_kernels::scene::Seen;
 use lobe_kernels::scene::light::Arriving;
+use lobe_kernels::scene::{NOWHERE, Seen};
 use proptest::prelude::*;
 use std::sync::Mutex;
 
@@ -35,7 +35,13 @@ fn scene(alpha: f32) -> impl Strategy<Value = RectBounce> {
         let rectangle = Rectangle { position: Vec3::ZERO, normal: Vec3::Z, tangent: Vec3::X, half_x, half_y };
         let position = Vec3::new(px * (half_x + 0.5), py * (half_y + 0.5), 10.0_f32.powf(pz));
         let n = (n - 0.9 * Vec3::Z).normalize_or(-Vec3::Z);
-        let seen = Seen { position, surface: 0, normal: n, view: (v + 1.2 * n).normalize_or(n) };
+        let seen = Seen {
+            position,
+            surface: 0,
+            normal: n,
+            point_index: NOWHERE,
+            view: (v + 1.2 * n).normalize_or(n),
+        };
         let dir = (light + 1.2 * Vec3::Z).normalize_or(Vec3::Z);
         RectBounce {
             rectangle,
