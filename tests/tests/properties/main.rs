@@ -12,6 +12,7 @@ mod reference;
 mod scene;
 mod sg;
 mod support;
+mod texels;
 mod textured;
 mod textures;
 mod vsgl;

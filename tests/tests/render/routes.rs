@@ -50,6 +50,11 @@ fn sampling_on_every_route() {
     check("caustic_a005.json", &settings, [6, 6]);
 }
 
+#[test]
+fn textures_on_every_route() {
+    check("textured.gltf", &Settings { method: Method::Direct, ..Settings::default() }, [8, 8]);
+}
+
 /// A route that is right but for the first float of the direct light.
 struct Wrong<'p>(Interpreted<'p>);
 
