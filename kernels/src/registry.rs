@@ -237,6 +237,8 @@ pub const PASSES: &[FunctionRef] = &kernels![
     soft_shadow::rect_soft_ray_pass,
     soft_shadow::rect_soft_pass,
     reference::pass::bounce_sample_pass,
+    reference::textured::bounce_met_pass,
+    reference::textured::bounce_textured_pass,
     reference::pass::bounce_mean_pass,
     rsm::view::map_ray_pass,
     rsm::point::map_point_pass,

@@ -29,3 +29,4 @@ pub mod pass;
 pub mod random;
 pub mod rectangle;
 pub mod running_mean;
+pub mod textured;

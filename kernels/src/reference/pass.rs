@@ -106,7 +106,7 @@ pub fn no_ray() -> SceneRay {
 /// The samples of a round, a pixel's together, and two shadow rays for each: a pass.
 ///
 /// Each sample is of one reflecting surface of `reflectors` and of one light, drawn uniformly. The reflecting
-/// surface counts as flat and of one material.
+/// surface counts as flat and of its mean material; [`textured`](super::textured) puts that right.
 #[kernel(workgroup_size(64))]
 pub fn bounce_sample_pass(
     #[builtin(global_invocation_id)] id: UVec3,

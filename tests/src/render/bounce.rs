@@ -42,8 +42,31 @@ impl Frame<'_, '_> {
         self.room("shadow_rays", 2 * samples)?;
         self.room("visible", 2 * samples)?;
         self.dispatch("bounce_sample_pass", samples)?;
+        if self.has_details {
+            self.reflect_by_skins(samples)?;
+        }
         self.dispatch("shadow_pass", 2 * samples)?;
         self.dispatch("bounce_mean_pass", pixels * MODES.len() as u32)
+    }
+
+    /// Gives samples what the surfaces that they meet are like there.
+    fn reflect_by_skins(&mut self, samples: u32) -> Result<(), ExecError> {
+        self.room("met", samples)?;
+        self.dispatch("bounce_met_pass", samples)?;
+        // The pass of points is told what the samples meet as if pixels saw it.
+        let of_pixels = ["seen", "points"].map(|name| (name, self.memory.take(name).unwrap_or_default()));
+        self.rename("met", "seen");
+        self.room("points", samples)?;
+        self.dispatch("textured_point_pass", samples)?;
+        self.rename("seen", "met");
+        self.rename("points", "met_points");
+        of_pixels.into_iter().for_each(|(name, bytes)| self.memory.put(name, bytes));
+        self.dispatch("bounce_textured_pass", samples)
+    }
+
+    fn rename(&mut self, from: &str, to: &str) {
+        let bytes = self.memory.take(from).unwrap_or_default();
+        self.memory.put(to, bytes);
     }
 
     fn layers(&self, picture: &mut Picture) -> Result<Vec<Vec3>, ExecError> {

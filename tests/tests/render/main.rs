@@ -12,6 +12,7 @@ mod routes;
 mod shadows;
 mod spoil;
 mod spoilt;
+mod textures;
 mod wild;
 
 use lobe_backends::pipeline::Interpreted;

@@ -53,6 +53,8 @@ fn sampling_on_every_route() {
 #[test]
 fn textures_on_every_route() {
     check("textured.gltf", &Settings { method: Method::Direct, ..Settings::default() }, [8, 8]);
+    let settings = Settings { method: Method::Reference, samples: 2, ..Settings::default() };
+    check("textured.gltf", &settings, [4, 4]);
 }
 
 /// A route that is right but for the first float of the direct light.
