@@ -110,8 +110,8 @@ macro_rules! chain_pass {
 chain_pass!(
     /// Levels 1 to 4 of a map's points: a pass of 64 invocations for each 16 by 16 of them.
     chain_first_pass,
-    [points],
-    |at, chain_step, map_means| map_mean_of(points[at as usize], chain_step.origin, chain_step.part)
+    [map_points],
+    |at, chain_step, map_means| map_mean_of(map_points[at as usize], chain_step.origin, chain_step.part)
 );
 
 chain_pass!(

@@ -47,7 +47,7 @@ pub fn view_point_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 0)] chain_step: &ChainStep,
     #[storage(0, 1)] levels: &[MapLevel],
-    #[storage(0, 2)] points: &[MapPoint],
+    #[storage(0, 2)] map_points: &[MapPoint],
     #[storage(0, 3)] view_points: &mut [MapPoint],
 ) {
     let i = id.x;
@@ -59,7 +59,7 @@ pub fn view_point_pass(
     let half = (1_u32 << chain_step.level) / 2;
     let column = min(((i % level.width) << chain_step.level) + half, map.width - 1);
     let row = min(((i / level.width) << chain_step.level) + half, map.height - 1);
-    view_points[i as usize] = points[(row * map.width + column) as usize];
+    view_points[i as usize] = map_points[(row * map.width + column) as usize];
 }
 
 /// What a point of a light's map receives of the camera's lights.
@@ -81,7 +81,7 @@ pub fn point_power(vpl: MapPoint) -> f32 {
 #[kernel(workgroup_size(64))]
 pub fn density_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] points: &[MapPoint],
+    #[storage(0, 0)] map_points: &[MapPoint],
     #[storage(0, 1)] view_lights: &[VirtualLight],
     #[storage(0, 2)] estimates: &mut [Vec2],
 ) {
@@ -89,7 +89,7 @@ pub fn density_pass(
     if i >= estimates.len() as u32 {
         return;
     }
-    let point = points[i as usize];
+    let point = map_points[i as usize];
     let mut sum = 0.0;
     let mut power = 0.0;
     if point.surface != NOWHERE {
@@ -111,7 +111,7 @@ pub fn density_pass(
 #[kernel(workgroup_size(64))]
 pub fn density_point_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] points: &[MapPoint],
+    #[storage(0, 0)] map_points: &[MapPoint],
     #[storage(0, 1)] view_points: &[MapPoint],
     #[storage(0, 2)] estimates: &mut [Vec2],
 ) {
@@ -119,7 +119,7 @@ pub fn density_point_pass(
     if i >= estimates.len() as u32 {
         return;
     }
-    let point = points[i as usize];
+    let point = map_points[i as usize];
     let mut sum = 0.0;
     let mut power = 0.0;
     if point.surface != NOWHERE {

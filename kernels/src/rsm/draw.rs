@@ -26,9 +26,6 @@ pub struct DrawSettings {
     /// Share of the lights that are drawn by what texels reflect and not by what of it matters.
     #[domain(1e-3..=1.0)]
     pub floor_share: f32,
-    /// By how much radii are multiplied.
-    #[domain(0.0..=10.0)]
-    pub radius_scale: f32,
     /// What makes one frame's numbers differ from another's.
     pub frame: u32,
     /// 1 where glossy lobes are the mean ones of what is read, 0 where they are the texel's.
@@ -63,7 +60,7 @@ pub fn light_draw_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 0)] drawing: &DrawSettings,
     #[storage(0, 1)] levels: &[MapLevel],
-    #[storage(0, 2)] points: &[MapPoint],
+    #[storage(0, 2)] map_points: &[MapPoint],
     #[storage(0, 3)] map_means: &[MapMean],
     #[storage(0, 4)] estimates: &[Vec2],
     #[storage(0, 5)] sums: &[Vec2],
@@ -99,7 +96,7 @@ pub fn light_draw_pass(
     let pdf = all * drawn_share(estimates[texel as usize], total, drawing.floor_share);
     let weight = select(0.0, all * brsm_weight(pdf, drawing.count as f32), pdf > 1e-9);
 
-    let point = points[texel as usize];
+    let point = map_points[texel as usize];
     let own = map_mean_of(point, drawing.origin, OF_BOTH);
     let mut mean = own;
     if drawing.smoothing > 0.0 {
@@ -121,7 +118,7 @@ pub fn light_draw_pass(
                 if share > 0.0 {
                     let place = place_in(levels[at as usize], max(left, 0.0) as u32, max(top, 0.0) as u32);
                     let part = if at == 0 {
-                        map_mean_of(points[place as usize], drawing.origin, OF_BOTH)
+                        map_mean_of(map_points[place as usize], drawing.origin, OF_BOTH)
                     } else {
                         map_means[place as usize]
                     };
@@ -133,6 +130,5 @@ pub fn light_draw_pass(
     if drawing.are_lobes_filtered == 0 {
         mean = MapMean { lobes: own.lobes, ..mean };
     }
-    let light = light_of_mean(mean, drawing.origin, texel, weight);
-    virtual_lights[i as usize] = VirtualLight { radius: drawing.radius_scale * light.radius, ..light };
+    virtual_lights[i as usize] = light_of_mean(mean, drawing.origin, texel, weight);
 }

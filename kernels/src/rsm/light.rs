@@ -10,6 +10,8 @@ use crate::reference::pass::{BounceSample, bounce_nothing, bounce_scaled};
 use crate::references::{Hasan09, Keller97, Tokuyoshi15};
 use crate::rsm::mean::MapMean;
 use crate::rsm::point::MapPoint;
+use crate::scene::Seen;
+use crate::scene::texture::SurfacePoint;
 use crate::sg::{Sg, sg_integral};
 use crate::vsgl::{
     vsgl_pair_radiance, vsgl_pair_radiance_diffuse, vsgl_smoothness, vsgl_transfer_sharpness, vsl_cone,
@@ -62,6 +64,12 @@ pub struct Receiver {
     pub view: Vec3,
     /// Its surface.
     pub material: Material,
+}
+
+/// The receiver that is seen in a pixel.
+#[kernel]
+pub fn receiver_of_seen(seen: Seen, skin: SurfacePoint) -> Receiver {
+    Receiver { position: seen.position, normal: skin.normal, view: seen.view, material: skin.material }
 }
 
 /// The light that stands for the texels of a mean.

@@ -19,7 +19,7 @@
 //! goes the other way, so what the texels of a light's map mean to it is what they would receive of virtual lights drawn
 //! out of the camera's.
 //!
-//! A map's passes call their buffers `points`, `levels` and `map_means`, whatever the map is of.
+//! A map's passes call their buffers `map_points`, `levels` and `map_means`, whatever the map is of.
 
 pub mod chain;
 pub mod density;

@@ -7,7 +7,8 @@ use crate::reference::light::spot_irradiance;
 use crate::references::DachsbacherStamminger05;
 use crate::rsm::view::{MapView, map_cone};
 use crate::scene::light::SceneLight;
-use crate::scene::{Hit, NOWHERE, SceneRay, Seen, Surface};
+use crate::scene::texture::SurfacePoint;
+use crate::scene::{NOWHERE, Seen, Surface};
 use lobe_codegen::prelude::*;
 
 /// A texel of a map: a virtual point light.
@@ -71,62 +72,73 @@ pub struct MapBeam {
 /// |---|---|---|---|
 /// | `view`, `light` | the map | | |
 /// | `dir` | unit direction to the light | sphere | 1 |
-/// | `dist` | how far away it is; of a cone | 0 ..= 1e4 | m |
+/// | `square` | squared distance to it; of a cone | 0 ..= 1e8 | m² |
 ///
 /// Returns power, and the area of the texel at this distance.
 #[kernel]
-pub fn map_beam(view: MapView, light: SceneLight, dir: Vec3, dist: f32) -> MapBeam {
+pub fn map_beam(view: MapView, light: SceneLight, dir: Vec3, square: f32) -> MapBeam {
     let texels = view.width as f32 * view.height as f32;
     if light.is_spot == 1 {
         let solid_angle = TWO_PI * map_cone(light) / texels;
         let share = spot_irradiance(light.axis, light.outer, light.blend, dir, 1.0);
-        MapBeam { flux: solid_angle * share * light.strength, across: solid_angle * (dist * dist) }
+        MapBeam { flux: solid_angle * share * light.strength, across: solid_angle * square }
     } else {
         let across = 4.0 * sqrt(dot(view.right, view.right) * dot(view.up, view.up)) / texels;
         MapBeam { flux: across * light.strength, across }
     }
 }
 
-/// The points that a light's rays and what they meet make: a pass.
+/// The point of what is seen in a texel.
 ///
-/// A surface that the light sees from behind reflects nothing, unless another one is its back.
+/// | argument | meaning | domain | unit |
+/// |---|---|---|---|
+/// | `seen` | what is seen | | |
+/// | `skin` | what its surface is like there | | |
+/// | `beam` | what falls through the texel | | |
+#[kernel]
+pub fn point_of_seen(seen: Seen, skin: SurfacePoint, beam: MapBeam) -> MapPoint {
+    MapPoint {
+        position: seen.position,
+        surface: seen.surface,
+        normal: skin.normal,
+        area: area_behind(beam.across, seen.normal, seen.view),
+        dir: seen.view,
+        flux: beam.flux,
+        material: skin.material,
+    }
+}
+
+/// The points of what a light sees: a pass.
+///
+/// `seen` and `points` are of the light's rays, not of the camera's.
 #[kernel(workgroup_size(64))]
 pub fn map_point_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 0)] map: &MapView,
-    #[storage(0, 1)] rays: &[SceneRay],
-    #[storage(0, 2)] hits: &[Hit],
-    #[storage(0, 3)] surfaces: &[Surface],
-    #[storage(0, 4)] materials: &[Material],
+    #[storage(0, 1)] seen: &[Seen],
+    #[storage(0, 2)] surfaces: &[Surface],
+    #[storage(0, 3)] materials: &[Material],
+    #[storage(0, 4)] points: &[SurfacePoint],
     #[storage(0, 5)] lights: &[SceneLight],
-    #[storage(0, 6)] points: &mut [MapPoint],
+    #[storage(0, 6)] map_points: &mut [MapPoint],
 ) {
     let i = id.x;
-    if i >= points.len() as u32 {
+    if i >= map_points.len() as u32 {
         return;
     }
-    let ray = rays[i as usize];
-    let hit = hits[i as usize];
-    let mut point = map_nothing();
-    if hit.surface != NOWHERE {
-        let front = surfaces[hit.surface as usize];
-        let is_front = dot(front.rectangle.normal, ray.dir) < 0.0;
-        let surface = select(front.back, hit.surface, is_front);
-        if surface != NOWHERE {
-            let normal = select(-front.rectangle.normal, front.rectangle.normal, is_front);
-            let beam = map_beam(*map, lights[map.light as usize], -ray.dir, hit.dist);
-            point = MapPoint {
-                position: ray.origin + hit.dist * ray.dir,
-                surface,
-                normal,
-                area: area_behind(beam.across, normal, ray.dir),
-                dir: -ray.dir,
-                flux: beam.flux,
-                material: materials[surfaces[surface as usize].material as usize],
-            };
+    let texel = seen[i as usize];
+    let mut found = map_nothing();
+    if texel.surface != NOWHERE {
+        let material = materials[surfaces[texel.surface as usize].material as usize];
+        let mut skin = SurfacePoint { material, normal: texel.normal };
+        if texel.point_index != NOWHERE {
+            skin = points[texel.point_index as usize];
         }
+        let light = lights[map.light as usize];
+        let offset = light.position - texel.position;
+        found = point_of_seen(texel, skin, map_beam(*map, light, texel.view, dot(offset, offset)));
     }
-    points[i as usize] = point;
+    map_points[i as usize] = found;
 }
 
 /// What of a picture is taken for a map of the camera.
@@ -148,25 +160,24 @@ pub fn seen_point_pass(
     #[storage(0, 1)] seen: &[Seen],
     #[storage(0, 2)] surfaces: &[Surface],
     #[storage(0, 3)] materials: &[Material],
-    #[storage(0, 4)] points: &mut [MapPoint],
+    #[storage(0, 4)] points: &[SurfacePoint],
+    #[storage(0, 5)] map_points: &mut [MapPoint],
 ) {
     let i = id.x;
-    if i >= points.len() as u32 {
+    if i >= map_points.len() as u32 {
         return;
     }
     let pixel = seen[i as usize];
-    let mut point = map_nothing();
+    let mut found = map_nothing();
     if pixel.surface != NOWHERE {
+        let material = materials[surfaces[pixel.surface as usize].material as usize];
+        let mut skin = SurfacePoint { material, normal: pixel.normal };
+        if pixel.point_index != NOWHERE {
+            skin = points[pixel.point_index as usize];
+        }
         let offset = pixel.position - camera_map.origin;
-        point = MapPoint {
-            position: pixel.position,
-            surface: pixel.surface,
-            normal: pixel.normal,
-            area: area_behind(camera_map.solid_angle * dot(offset, offset), pixel.normal, pixel.view),
-            dir: pixel.view,
-            flux: Vec3::ONE,
-            material: materials[surfaces[pixel.surface as usize].material as usize],
-        };
+        let across = camera_map.solid_angle * dot(offset, offset);
+        found = point_of_seen(pixel, skin, MapBeam { flux: Vec3::ONE, across });
     }
-    points[i as usize] = point;
+    map_points[i as usize] = found;
 }

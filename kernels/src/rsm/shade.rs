@@ -6,11 +6,12 @@ use crate::reference::random::random_pair;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{Hasan09, Keller97, Tokuyoshi15};
 use crate::rsm::light::{
-    Receiver, VirtualLight, apart, direction_in_cone, light_smoothness, point_parts, receiver_lobe,
+    VirtualLight, apart, direction_in_cone, light_smoothness, point_parts, receiver_lobe, receiver_of_seen,
     vpl_light, vsgl_light_parts, vsl_smooth_parts,
 };
 use crate::rsm::point::MapPoint;
 use crate::rsm::wide::{WideLight, wide_parts};
+use crate::scene::texture::SurfacePoint;
 use crate::scene::{NOWHERE, Seen, Surface};
 use crate::vsgl::vsl_cone;
 use lobe_codegen::prelude::*;
@@ -73,7 +74,8 @@ macro_rules! light_pass {
             $(#[storage(0, 4)] $points: &[$point],)?
             #[storage(0, 5)] virtual_lights: &[VirtualLight],
             #[storage(0, 6)] visible: &[u32],
-            #[storage(0, 7)] virtual_pixels: &mut [VirtualPixel],
+            #[storage(0, 7)] points: &[SurfacePoint],
+            #[storage(0, 8)] virtual_pixels: &mut [VirtualPixel],
         ) {
             let $i = id.x;
             if $i >= virtual_pixels.len() as u32 {
@@ -85,8 +87,11 @@ macro_rules! light_pass {
             }
             let $turn = *lights_turn;
             let material = materials[surfaces[pixel.surface as usize].material as usize];
-            let $receiver =
-                Receiver { position: pixel.position, normal: pixel.normal, view: pixel.view, material };
+            let mut skin = SurfacePoint { material, normal: pixel.normal };
+            if pixel.point_index != NOWHERE {
+                skin = points[pixel.point_index as usize];
+            }
+            let $receiver = receiver_of_seen(pixel, skin);
             let $lobe = $own;
             let mut sum = virtual_pixels[$i as usize];
             for $k in 0..$turn.count {
@@ -110,8 +115,8 @@ light_pass!(
     ///
     /// Source: [Keller97].
     vpl_pass,
-    |receiver, _lobe = 0_u32, light, [points: MapPoint], turn, i, k| VirtualPixel {
-        parts: vpl_light(receiver, points[light.texel as usize], light.weight, turn.least),
+    |receiver, _lobe = 0_u32, light, [map_points: MapPoint], turn, i, k| VirtualPixel {
+        parts: vpl_light(receiver, map_points[light.texel as usize], light.weight, turn.least),
         smoothed: 1.0,
     }
 );
@@ -132,11 +137,11 @@ light_pass!(
     ///
     /// Source: [Tokuyoshi15] section 3.3.
     vsgl_reduced_pass,
-    |receiver, lobe = receiver_lobe(receiver), light, [points: MapPoint], turn, i, k| if light_smoothness(receiver, lobe, light)
+    |receiver, lobe = receiver_lobe(receiver), light, [map_points: MapPoint], turn, i, k| if light_smoothness(receiver, lobe, light)
         < turn.threshold
     {
         VirtualPixel {
-            parts: vsl_smooth_parts(receiver, light, points[light.texel as usize]),
+            parts: vsl_smooth_parts(receiver, light, map_points[light.texel as usize]),
             smoothed: 1.0,
         }
     } else {
@@ -149,9 +154,9 @@ light_pass!(
     ///
     /// Source: [Hasan09] section 4.
     vsl_pass,
-    |receiver, _lobe = 0_u32, light, [points: MapPoint], turn, i, k| {
+    |receiver, _lobe = 0_u32, light, [map_points: MapPoint], turn, i, k| {
         let between = apart(light.position, receiver.position);
-        let point = points[light.texel as usize];
+        let point = map_points[light.texel as usize];
         let mut parts = bounce_nothing();
         for n in 0..turn.directions {
             let u = random_pair(i, (turn.first + k) * turn.directions + n, 8);

@@ -13,7 +13,7 @@ pub fn virtual_ray_pass(
     #[uniform(0, 0)] lights_turn: &LightTurn,
     #[storage(0, 1)] seen: &[Seen],
     #[storage(0, 2)] surfaces: &[Surface],
-    #[storage(0, 3)] points: &[MapPoint],
+    #[storage(0, 3)] map_points: &[MapPoint],
     #[storage(0, 4)] virtual_lights: &[VirtualLight],
     #[storage(0, 5)] shadow_rays: &mut [SceneRay],
 ) {
@@ -23,7 +23,7 @@ pub fn virtual_ray_pass(
     }
     let pixel = seen[(i / lights_turn.count) as usize];
     let light = virtual_lights[(lights_turn.first + i % lights_turn.count) as usize];
-    let point = points[light.texel as usize];
+    let point = map_points[light.texel as usize];
     let last = surfaces.len() as u32 - 1;
     let between = apart(point.position, pixel.position);
     let is_asked = pixel.surface != NOWHERE && point.surface != NOWHERE;

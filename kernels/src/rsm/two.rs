@@ -9,9 +9,10 @@ use crate::reference::running_mean::luminance;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::Tokuyoshi15b;
 use crate::rsm::chain::{ChainStep, MapLevel};
-use crate::rsm::light::Receiver;
+use crate::rsm::light::{Receiver, receiver_of_seen};
 use crate::rsm::mean::{MapMean, OF_DIFFUSE};
 use crate::rsm::shade::{VirtualPixel, parts_add};
+use crate::scene::texture::SurfacePoint;
 use crate::scene::{NOWHERE, Seen, Surface};
 use crate::vsgl::{
     Vsgl, vsgl_diffuse, vsgl_diffuse_paper, vsgl_from_moments, vsgl_incoming, vsgl_specular,
@@ -94,7 +95,8 @@ macro_rules! whole_pass {
             #[storage(0, 1)] surfaces: &[Surface],
             #[storage(0, 2)] materials: &[Material],
             #[storage(0, 3)] whole_lights: &[WholeLight],
-            #[storage(0, 4)] virtual_pixels: &mut [VirtualPixel],
+            #[storage(0, 4)] points: &[SurfacePoint],
+            #[storage(0, 5)] virtual_pixels: &mut [VirtualPixel],
         ) {
             let i = id.x;
             if i >= virtual_pixels.len() as u32 {
@@ -105,15 +107,19 @@ macro_rules! whole_pass {
                 return;
             }
             let material = materials[surfaces[pixel.surface as usize].material as usize];
-            let receiver =
-                Receiver { position: pixel.position, normal: pixel.normal, view: pixel.view, material };
+            let mut skin = SurfacePoint { material, normal: pixel.normal };
+            if pixel.point_index != NOWHERE {
+                skin = points[pixel.point_index as usize];
+            }
+            let receiver = receiver_of_seen(pixel, skin);
+            let albedo = receiver.material.diffuse_albedo;
             let matt = whole_lights[0];
             let shiny = whole_lights[1];
             let of_matt = $diffuse(matt.light, receiver.position, receiver.normal, 1.0);
             let of_shiny = $diffuse(shiny.light, receiver.position, receiver.normal, 1.0);
             let parts = BounceSample {
-                diffuse_of_diffuse: material.diffuse_albedo * (of_matt * matt.colour),
-                diffuse_of_glossy: material.diffuse_albedo * (of_shiny * shiny.colour),
+                diffuse_of_diffuse: albedo * (of_matt * matt.colour),
+                diffuse_of_glossy: albedo * (of_shiny * shiny.colour),
                 glossy_of_diffuse: matt.colour * whole_glossy(receiver, matt.light),
                 glossy_of_glossy: shiny.colour * whole_glossy(receiver, shiny.light),
             };

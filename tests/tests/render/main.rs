@@ -13,6 +13,7 @@ mod shadows;
 mod spoil;
 mod spoilt;
 mod textures;
+mod virtual_lights;
 mod wild;
 
 use lobe_backends::pipeline::Interpreted;

@@ -5,7 +5,7 @@ use lobe_backends::pipeline::{Dispatcher, Interpreted, Memory, Pass};
 use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, State};
 use lobe_tests::proxies::{self, Options};
-use lobe_tests::render::{Judged, Method, Renderer, Settings, summary};
+use lobe_tests::render::{Density, Judged, Method, Renderer, Settings, VirtualLights, summary};
 
 fn check(name: &str, settings: &Settings, size: [u32; 2]) {
     let machine = Machine::look();
@@ -41,6 +41,33 @@ fn rectangles_on_every_route() {
 fn shadows_on_every_route() {
     for method in [Method::RectLaplace, Method::RectQuadrature] {
         check("plates_a010.json", &Settings { method, shadows: true, ..Settings::default() }, [4, 4]);
+    }
+}
+
+#[test]
+fn virtual_lights_on_every_route() {
+    let lights = VirtualLights {
+        count: 6,
+        map: 9,
+        directions: 2,
+        bias: 0.05,
+        is_shadowed: true,
+        ..VirtualLights::default()
+    };
+    for method in [Method::Vsgl, Method::Vsgl2, Method::VslWide] {
+        check(
+            "plates_a010.json",
+            &Settings { method, virtual_lights: lights, ..Settings::default() },
+            [3, 3],
+        );
+    }
+    let by_points = VirtualLights { density: Density::Vpl, is_shadowed: false, ..lights };
+    for method in [Method::Vpl, Method::Vsl] {
+        check(
+            "caustic_a010.json",
+            &Settings { method, virtual_lights: by_points, ..Settings::default() },
+            [3, 3],
+        );
     }
 }
 

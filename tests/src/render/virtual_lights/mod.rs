@@ -100,7 +100,7 @@ impl Frame<'_, '_> {
         let pixel = 4.0 * camera.right.length() * camera.up.length() / self.pixels() as f32;
         let camera_map = SeenMap { origin, solid_angle: pixel };
         self.memory.put("camera_map", self.pipeline.pack("camera_map", &[camera_map])?);
-        self.room("points", self.pixels())?;
+        self.room("map_points", self.pixels())?;
         self.dispatch("seen_point_pass", self.pixels())?;
         let levels = map::levels(self.size[0], self.size[1]);
         let level = map::level_of(&levels, settings.view_lights);
@@ -133,12 +133,19 @@ impl Frame<'_, '_> {
         let view = map::view(light, at, settings.map, &mapped.triangles, place);
         self.memory.put("map", self.pipeline.pack("map", &[view])?);
         let texels = settings.map * settings.map;
-        for buffer in ["rays", "hits", "points"] {
+        // What the light sees, in the buffers of what the camera does.
+        let of_pixels = ["seen", "points"].map(|name| (name, self.memory.take(name).unwrap_or_default()));
+        for buffer in ["rays", "hits", "seen", "points", "map_points"] {
             self.room(buffer, texels)?;
         }
-        for pass in ["map_ray_pass", "nearest_pass", "map_point_pass"] {
+        for pass in ["map_ray_pass", "nearest_pass", "seen_pass"] {
             self.dispatch(pass, texels)?;
         }
+        if self.has_details {
+            self.dispatch("textured_point_pass", texels)?;
+        }
+        self.dispatch("map_point_pass", texels)?;
+        of_pixels.into_iter().for_each(|(name, bytes)| self.memory.put(name, bytes));
         Ok(())
     }
 
@@ -171,12 +178,13 @@ impl Frame<'_, '_> {
         self.dispatch("scan_pass", 64 * blocks)?;
         self.dispatch("scan_block_pass", 64)?;
         let count = settings.count.div_ceil(lights.max(1)).max(1);
+        // A square as much smaller as its radius.
+        let smoothing = settings.smoothing * settings.shrink.powi(2 * frame.min(1000) as i32);
         let drawing = DrawSettings {
             origin,
             count,
-            smoothing: if self.settings.method == Method::Vpl { 0.0 } else { settings.smoothing },
+            smoothing: if self.settings.method == Method::Vpl { 0.0 } else { smoothing },
             floor_share: if settings.density == Density::Power { 1.0 } else { settings.floor_share },
-            radius_scale: settings.shrink.powi(frame as i32),
             frame,
             are_lobes_filtered: u32::from(settings.filters_lobes),
             is_random: u32::from(settings.frames > 1),

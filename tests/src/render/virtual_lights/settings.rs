@@ -70,7 +70,7 @@ pub struct VirtualLights {
     pub directions: u32,
     /// Pictures whose mean it is, each with lights of its own; a single one takes the middles of strata and texels.
     pub frames: u32,
-    /// By how much the radii of a picture are those of the one before.
+    /// By how much the squares that lights are read from, and so their radii, are smaller in a picture than in the one before.
     pub shrink: f32,
 }
 
