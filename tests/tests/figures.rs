@@ -1,8 +1,9 @@
 //! The committed pictures are what the code draws.
 
 use lobe_tests::figures::theme::Theme;
-use lobe_tests::figures::{all, folder, svg};
+use lobe_tests::figures::{all, folder, sheets, svg};
 use std::collections::BTreeSet;
+use std::path::Path;
 
 const MEND: &str = "cargo run --release -- figures kernels/figures";
 
@@ -26,4 +27,42 @@ fn the_committed_pictures_are_those_of_today() {
         assert!(size < 100_000, "{} has {size} bytes; draw less", path.display());
     }
     assert!(names.is_empty(), "missing: {names:?}; {MEND}");
+}
+
+const MEND_SHEETS: &str = "cargo run --release -- figures tests/pictures --pictures tests/cases/scenes";
+
+/// 8-bit RGB of a file, and how many pixels a row has.
+fn read(path: &Path) -> (Vec<u8>, usize) {
+    let file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{}: {e}; {MEND_SHEETS}", path.display()));
+    let decoder = png::Decoder::new(std::io::BufReader::new(file));
+    let mut reader = decoder.read_info().unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or(0)];
+    let info = reader.next_frame(&mut bytes).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    assert_eq!(info.color_type, png::ColorType::Rgb, "{}", path.display());
+    (bytes, info.width as usize)
+}
+
+/// All of the sheets but the truth, which takes minutes, and the difference from it.
+#[test]
+fn the_committed_sheets_are_those_of_today() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for tiles in sheets::tiles(&tests.join("cases/scenes"), false).unwrap_or_else(|e| panic!("{e}")) {
+        let (bytes, width) = read(&tests.join("pictures").join(tiles.name).with_extension("png"));
+        for (y, row) in tiles.rows.iter().enumerate() {
+            let drawn = row.iter().enumerate().filter_map(|(x, tile)| Some((x, tile.as_ref()?)));
+            for (x, tile) in drawn {
+                let side = tile.len().isqrt();
+                for (at, colour) in tile.iter().enumerate() {
+                    let place = 3 * ((y * side + at / side) * width + x * side + at % side);
+                    let committed = &bytes[place..place + 3];
+                    let name = tiles.name;
+                    assert_eq!(
+                        committed,
+                        sheets::shown(*colour),
+                        "{name}, row {y}, {x}: stale; {MEND_SHEETS}"
+                    );
+                }
+            }
+        }
+    }
 }

@@ -7,7 +7,7 @@ use lobe_codegen::lower::LowerError;
 use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
-use lobe_tests::figures::rectangles::SheetError;
+use lobe_tests::figures::sheets::SheetError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::metrics::ReadError;
 use lobe_tests::oracle::{MappingError, TableError};

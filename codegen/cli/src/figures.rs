@@ -4,7 +4,7 @@ use crate::fail::{Fail, Outcome};
 use crate::output;
 use crate::paint::{self, Painter};
 use lobe_tests::figures::theme::Theme;
-use lobe_tests::figures::{proxies, rectangles, svg};
+use lobe_tests::figures::{proxies, sheets, svg};
 use std::path::{Path, PathBuf};
 
 /// Options.
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 /// Writes the sheets.
 fn pictures(folder: &Path, scenes: &Path) -> Result<Outcome, Fail> {
     write(&folder.join("proxies.png"), &drawings(scenes)?)?;
-    for sheet in rectangles::sheets(scenes)? {
+    for sheet in sheets::sheets(scenes)? {
         write(&folder.join(sheet.name).with_extension("png"), &paint::rgb(sheet.size, &sheet.pixels)?)?;
     }
     Ok(Outcome::Holds)

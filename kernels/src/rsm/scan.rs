@@ -42,7 +42,7 @@ macro_rules! scan_pass {
                 let added = select(Vec2::ZERO, partial[before as usize], index >= back);
                 workgroup_barrier();
                 partial[index as usize] += added;
-                back = 2 * back;
+                back *= 2;
             }
             workgroup_barrier();
             let mut sum = select(Vec2::ZERO, partial[(max(index, 1) - 1) as usize], index > 0);

@@ -12,7 +12,7 @@ mod falloff;
 pub mod plot;
 pub mod proxies;
 pub mod quadrature;
-pub mod rectangles;
+pub mod sheets;
 mod steepness;
 pub mod svg;
 pub mod theme;

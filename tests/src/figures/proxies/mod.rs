@@ -17,7 +17,7 @@ use base64::engine::general_purpose::STANDARD;
 use std::path::Path;
 use view::View;
 
-use super::rectangles::SheetError;
+use super::sheets::SheetError;
 
 /// Pixels along the longer side of a drawing, unless its size is given.
 const LONGER: f64 = 960.0;

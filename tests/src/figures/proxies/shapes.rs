@@ -1,7 +1,7 @@
 //! What is drawn besides the scenes of the tests: a vase of fine triangles, and a bush of leaves in it.
 
 use crate::domain::Rng;
-use crate::figures::rectangles::SheetError;
+use crate::figures::sheets::SheetError;
 use crate::scene::{Scene, Triangle};
 use lobe_codegen::prelude::Vec3;
 
