@@ -2,7 +2,6 @@
 //!
 //! A map of the camera is reduced to some tens of virtual lights, and the light's texels are lit by these.
 
-use crate::asg::Asg;
 use crate::constants::PI;
 use crate::reference::pass::BounceSample;
 use crate::reference::running_mean::luminance;
@@ -75,61 +74,56 @@ pub fn point_power(vpl: MapPoint) -> f32 {
     PI * luminance(mean.diffuse) + luminance(mean.specular)
 }
 
-/// How much each texel matters, by lights with extent, and what it reflects: a pass.
-///
-/// Source: [Tokuyoshi15] section 3: virtual spherical-Gaussian lights out of the camera's map, without shadows.
-#[kernel(workgroup_size(64))]
-pub fn density_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] map_points: &[MapPoint],
-    #[storage(0, 1)] view_lights: &[VirtualLight],
-    #[storage(0, 2)] estimates: &mut [Vec2],
-) {
-    let i = id.x;
-    if i >= estimates.len() as u32 {
-        return;
-    }
-    let point = map_points[i as usize];
-    let mut sum = 0.0;
-    let mut power = 0.0;
-    if point.surface != NOWHERE {
-        let receiver = receiver_of_point(point);
-        let lobe: Asg = receiver_lobe(receiver);
-        power = point_power(point);
-        if power > 0.0 {
-            for k in 0..view_lights.len() as u32 {
-                sum += parts_luminance(vsgl_light_parts(receiver, lobe, view_lights[k as usize]));
+/// A pass that weighs texels by `$view`: what `$each` gives of one of them, lit and seen as `$receiver`.
+macro_rules! density_pass {
+    (
+        $(#[$doc:meta])* $name:ident, $view:ident: $light:ty,
+        |$receiver:ident, $lobe:ident = $own:expr, $k:ident| $each:expr
+    ) => {
+        $(#[$doc])*
+        #[kernel(workgroup_size(64))]
+        pub fn $name(
+            #[builtin(global_invocation_id)] id: UVec3,
+            #[storage(0, 0)] map_points: &[MapPoint],
+            #[storage(0, 1)] $view: &[$light],
+            #[storage(0, 2)] estimates: &mut [Vec2],
+        ) {
+            let i = id.x;
+            if i >= estimates.len() as u32 {
+                return;
             }
+            let texel = map_points[i as usize];
+            let mut sum = 0.0;
+            let mut power = 0.0;
+            if texel.surface != NOWHERE {
+                let $receiver = receiver_of_point(texel);
+                let $lobe = $own;
+                power = point_power(texel);
+                if power > 0.0 {
+                    for $k in 0..$view.len() as u32 {
+                        sum += parts_luminance($each);
+                    }
+                }
+            }
+            estimates[i as usize] = Vec2::new(sum * luminance(texel.flux), power);
         }
-    }
-    estimates[i as usize] = Vec2::new(sum * luminance(point.flux), power);
+    };
 }
 
-/// How much each texel matters, by points: a pass.
-///
-/// Source: [Ritschel11] section 4.
-#[kernel(workgroup_size(64))]
-pub fn density_point_pass(
-    #[builtin(global_invocation_id)] id: UVec3,
-    #[storage(0, 0)] map_points: &[MapPoint],
-    #[storage(0, 1)] view_points: &[MapPoint],
-    #[storage(0, 2)] estimates: &mut [Vec2],
-) {
-    let i = id.x;
-    if i >= estimates.len() as u32 {
-        return;
-    }
-    let point = map_points[i as usize];
-    let mut sum = 0.0;
-    let mut power = 0.0;
-    if point.surface != NOWHERE {
-        let receiver = receiver_of_point(point);
-        power = point_power(point);
-        if power > 0.0 {
-            for k in 0..view_points.len() as u32 {
-                sum += parts_luminance(vpl_light(receiver, view_points[k as usize], 1.0, 0.0));
-            }
-        }
-    }
-    estimates[i as usize] = Vec2::new(sum * luminance(point.flux), power);
-}
+density_pass!(
+    /// How much each texel matters, by lights with extent, and what it reflects: a pass.
+    ///
+    /// Source: [Tokuyoshi15] section 3: virtual spherical-Gaussian lights out of the camera's map, without shadows.
+    density_pass,
+    view_lights: VirtualLight,
+    |receiver, lobe = receiver_lobe(receiver), k| vsgl_light_parts(receiver, lobe, view_lights[k as usize])
+);
+
+density_pass!(
+    /// How much each texel matters, by points, and what it reflects: a pass.
+    ///
+    /// Source: [Ritschel11] section 4.
+    density_point_pass,
+    view_points: MapPoint,
+    |receiver, _lobe = 0_u32, k| vpl_light(receiver, view_points[k as usize], 1.0, 0.0)
+);
