@@ -121,7 +121,7 @@ fn spoilt() -> Vec<(&'static str, Scene)> {
             }),
         ),
         ("a small scene", scaled(1e-3)),
-        ("a large scene", scaled(1e3)),
+        ("a large scene", scaled(1e4)),
     ]
 }
 
