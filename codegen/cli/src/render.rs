@@ -79,7 +79,7 @@ pub(crate) struct Args {
     /// Stops by which the PNG is brightened; chosen by the picture if not given
     #[arg(long, allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f32>,
-    #[command(flatten, next_help_heading = "Virtual lights (vpl, vsl, vsgl, vsgl2)")]
+    #[command(flatten, next_help_heading = "Virtual lights (vpl, vsl, vsl-wide, vsgl, vsgl2)")]
     virtual_lights: VirtualArgs,
 }
 

@@ -1,4 +1,4 @@
-//! Options of the methods `vpl`, `vsl`, `vsgl` and `vsgl2`.
+//! Options of the methods of virtual lights.
 
 use lobe_tests::render::{Density, VirtualLights};
 

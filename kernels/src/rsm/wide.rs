@@ -79,7 +79,7 @@ pub fn wide_light(light: VirtualLight, vpl: MapPoint) -> WideLight {
 /// A disk of angular radius `ρ` has variance `ρ²/4` along each axis, over half vectors `ρ²/16` in the plane of incidence and
 /// `ρ²/(16 cos²)` across; `α²/2` is the variance of the Gaussian with a lobe's curvature. Of both axes the geometric mean:
 /// `α² + ρ²/(8 cos)`. A third of that is taken: both surfaces' lobes are widened for one cone, and a wider GGX has more of
-/// its light in the tail, so that with all of it 2 to 3 % more of the light is lost and the error is up to 9 % larger.
+/// its light in the tail, so that with all of it 2 to 3 % more of the light is lost and the error is up to 10 % larger.
 /// Source: our own.
 ///
 /// | argument | meaning | domain | unit |

@@ -63,11 +63,11 @@ impl Frame<'_, '_> {
         }
         for frame in 0..frames {
             for (at, light) in (0_u32..).zip(&mapped.lights) {
-                self.light_map(mapped, at, light, frame)?;
+                let origin = self.light_map(mapped, at, light, frame)?;
                 match self.settings.method {
-                    Method::Vsgl2 | Method::Vsgl2Paper => self.two_lights()?,
+                    Method::Vsgl2 | Method::Vsgl2Paper => self.two_lights(origin)?,
                     _ => {
-                        let count = self.draw(mapped.lights.len() as u32, frame)?;
+                        let count = self.draw(origin, mapped.lights.len() as u32, frame)?;
                         self.shine(count)?;
                     }
                 }
@@ -120,14 +120,14 @@ impl Frame<'_, '_> {
         self.dispatch(pass, count)
     }
 
-    /// The points of a light's map.
+    /// The points of a light's map; returns where their positions are counted from.
     fn light_map(
         &mut self,
         mapped: &Mapped,
         at: u32,
         light: &SceneLight,
         frame: u32,
-    ) -> Result<(), ExecError> {
+    ) -> Result<Vec3, ExecError> {
         let settings = self.settings.virtual_lights;
         let place = if settings.frames > 1 { random_pair(frame, at, 9) } else { Vec2::splat(0.5) };
         let view = map::view(light, at, settings.map, &mapped.triangles, place);
@@ -146,21 +146,13 @@ impl Frame<'_, '_> {
         }
         self.dispatch("map_point_pass", texels)?;
         of_pixels.into_iter().for_each(|(name, bytes)| self.memory.put(name, bytes));
-        Ok(())
-    }
-
-    /// Where positions of a light's map are counted from.
-    fn map_origin(&self) -> Result<Vec3, ExecError> {
-        let view: Vec<lobe_kernels::rsm::view::MapView> =
-            self.pipeline.unpack("map", self.memory.bytes("map"))?;
-        Ok(view.first().map_or(Vec3::ZERO, |view| view.origin))
+        Ok(view.origin)
     }
 
     /// Lights drawn out of a light's map; returns how many.
-    fn draw(&mut self, lights: u32, frame: u32) -> Result<u32, ExecError> {
+    fn draw(&mut self, origin: Vec3, lights: u32, frame: u32) -> Result<u32, ExecError> {
         let settings = self.settings.virtual_lights;
         let texels = settings.map * settings.map;
-        let origin = self.map_origin()?;
         let levels = map::levels(settings.map, settings.map);
         self.chain(&levels, origin, OF_BOTH)?;
         let blocks = texels.div_ceil(SCAN_BLOCK);
@@ -228,9 +220,8 @@ impl Frame<'_, '_> {
     }
 
     /// Adds the two lights of a light's map to the pixels.
-    fn two_lights(&mut self) -> Result<(), ExecError> {
+    fn two_lights(&mut self, origin: Vec3) -> Result<(), ExecError> {
         let settings = self.settings.virtual_lights;
-        let origin = self.map_origin()?;
         let levels = map::levels(settings.map, settings.map);
         self.room("whole_lights", 2)?;
         for part in [OF_DIFFUSE, OF_GLOSSY] {
