@@ -83,6 +83,9 @@ references! {
     Tokuyoshi22;
     /// E. Veach, Robust Monte Carlo Methods for Light Transport Simulation, PhD thesis, Stanford University, 1997.
     Veach97;
+    /// M. D. Vose, A Linear Algorithm for Generating Random Numbers with a Given Distribution, IEEE Transactions on
+    /// Software Engineering 17 (9), 1991.
+    Vose91;
     /// B. Walter, S. R. Marschner, H. Li, K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces,
     /// Eurographics Symposium on Rendering, 2007.
     Walter07;

@@ -9,6 +9,9 @@ use crate::brdf::model::{glossy_part, surface_brdf_cosine, surface_transfer};
 use crate::reference::one_bounce::{OneBounce, one_bounce_density, one_bounce_sample};
 use crate::reference::random::random_pair;
 use crate::reference::rectangle::{rectangle_intersect, rectangle_is_met};
+use crate::reference::reflector::{
+    Reflector, chosen, lit_part, mirroring_place, place_on_whole, reflector_drawn,
+};
 use crate::reference::running_mean::{RunningMean, luminance, running_mean_add};
 use crate::scene::light::{Arriving, SceneLight, light_at, ray_to_light};
 use crate::scene::texture::{SurfacePoint, is_behind_plane};
@@ -38,22 +41,15 @@ pub struct BounceSample {
     pub glossy_of_glossy: Vec3,
 }
 
-/// Which of several things a uniform number chooses.
-#[kernel]
-pub fn chosen(u: f32, count: u32) -> u32 {
-    min((u * count as f32) as u32, count - 1)
-}
-
-/// Whether what [`rectangle_intersect`] found is on the surface.
+/// Whether a place on a surface's rectangle, in half extents from its middle, is on the surface.
 ///
 /// A triangle has its base along the lower side of its rectangle, and its apex on the upper one.
 #[kernel]
-pub fn surface_is_met(surface: Surface, meeting: Vec3) -> bool {
-    let rise = 0.5 * (meeting.y + 1.0);
+pub fn is_on_surface(surface: Surface, place: Vec2) -> bool {
+    let rise = 0.5 * (place.y + 1.0);
     let left = -1.0 + rise * (surface.apex + 1.0);
     let right = 1.0 + rise * (surface.apex - 1.0);
-    let is_within = surface.apex > 1.5 || (meeting.x >= left && meeting.x <= right);
-    rectangle_is_met(meeting) && is_within
+    surface.apex > 1.5 || (place.x >= left && place.x <= right)
 }
 
 /// The integrand without the distance, by the lobes of both surfaces: the parts of
@@ -105,8 +101,8 @@ pub fn no_ray() -> SceneRay {
 
 /// The samples of a round, a pixel's together, and two shadow rays for each: a pass.
 ///
-/// Each sample is of one reflecting surface of `reflectors` and of one light, drawn uniformly. The reflecting
-/// surface counts as flat and of its mean material; [`textured`](super::textured) puts that right.
+/// Each sample is of one of `reflectors`, of what is lit of it. The reflecting surface counts as flat and of its mean
+/// material; [`textured`](super::textured) puts that right.
 #[kernel(workgroup_size(64))]
 pub fn bounce_sample_pass(
     #[builtin(global_invocation_id)] id: UVec3,
@@ -115,7 +111,7 @@ pub fn bounce_sample_pass(
     #[storage(0, 2)] surfaces: &[Surface],
     #[storage(0, 3)] materials: &[Material],
     #[storage(0, 4)] lights: &[SceneLight],
-    #[storage(0, 5)] reflectors: &[u32],
+    #[storage(0, 5)] reflectors: &[Reflector],
     #[storage(0, 6)] bounces: &mut [BounceSample],
     #[storage(0, 7)] shadow_rays: &mut [SceneRay],
     #[uniform(0, 8)] part: &BounceRound,
@@ -131,13 +127,14 @@ pub fn bounce_sample_pass(
     let mut to_light = no_ray();
     let mut to_surface = no_ray();
     let choice = random_pair(at, sample, 0);
-    let reflector = reflectors[chosen(choice.x, reflectors.len() as u32) as usize];
-    let light = lights[chosen(choice.y, lights.len() as u32) as usize];
-    if pixel.surface != NOWHERE && pixel.surface != reflector {
+    let met = chosen(choice.x, reflectors.len() as u32);
+    let reflector = reflectors[reflector_drawn(reflectors[met as usize], met, choice.y) as usize];
+    let light = lights[reflector.light as usize];
+    if pixel.surface != NOWHERE && pixel.surface != reflector.surface {
         let own = surfaces[pixel.surface as usize];
-        let surface = surfaces[reflector as usize];
-        let rectangle = surface.rectangle;
-        let central: Arriving = light_at(light, rectangle.position);
+        let surface = surfaces[reflector.surface as usize];
+        let rectangle = lit_part(surface.rectangle, reflector.low, reflector.high);
+        let aimed: Arriving = light_at(light, mirroring_place(rectangle, light, pixel.position));
         let mut point = SurfacePoint { material: materials[own.material as usize], normal: pixel.normal };
         if pixel.point_index != NOWHERE {
             point = points[pixel.point_index as usize];
@@ -150,12 +147,14 @@ pub fn bounce_sample_pass(
             material: point.material,
             rectangle,
             rectangle_material,
-            light: central.dir,
+            light: aimed.dir,
         };
         let strategy = chosen(random_pair(at, sample, 1).x, 4);
         let dir = one_bounce_sample(bounce, strategy, random_pair(at, sample, 2));
         let meeting = rectangle_intersect(rectangle, pixel.position, dir);
-        if surface_is_met(surface, meeting) && !is_behind_plane(pixel.normal, point.normal, dir) {
+        let on_whole = place_on_whole(meeting.xy(), reflector.low, reflector.high);
+        let is_met = rectangle_is_met(meeting) && is_on_surface(surface, on_whole);
+        if is_met && !is_behind_plane(pixel.normal, point.normal, dir) {
             let place = pixel.position + meeting.z * dir;
             let arriving = light_at(light, place);
             let lit = OneBounce {
@@ -168,8 +167,8 @@ pub fn bounce_sample_pass(
                 light: arriving.dir,
             };
             let density = max(one_bounce_density(bounce, dir, meeting.z), 1e-20);
-            let choices = (reflectors.len() as u32 * lights.len() as u32) as f32;
-            contribution = bounce_scaled(one_bounce_parts(lit, dir), choices / density * arriving.irradiance);
+            let weight = 1.0 / (reflector.share * density);
+            contribution = bounce_scaled(one_bounce_parts(lit, dir), weight * arriving.irradiance);
             to_light = ray_to_light(place, surface.shape, arriving);
             to_surface = SceneRay {
                 origin: pixel.position,

@@ -7,8 +7,9 @@
 
 use crate::brdf::Material;
 use crate::brdf::model::{glossy_part, surface_transfer};
-use crate::reference::pass::{BounceRound, BounceSample, chosen};
+use crate::reference::pass::{BounceRound, BounceSample};
 use crate::reference::random::random_pair;
+use crate::reference::reflector::{Reflector, chosen, reflector_drawn};
 use crate::scene::texture::{SurfacePoint, is_behind_plane};
 use crate::scene::{NOWHERE, SceneRay, Seen, Surface};
 use lobe_codegen::prelude::*;
@@ -21,7 +22,7 @@ pub fn bounce_met_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 4)] part: &BounceRound,
     #[storage(0, 0)] surfaces: &[Surface],
-    #[storage(0, 1)] reflectors: &[u32],
+    #[storage(0, 1)] reflectors: &[Reflector],
     #[storage(0, 2)] shadow_rays: &[SceneRay],
     #[storage(0, 3)] met: &mut [Seen],
 ) {
@@ -31,12 +32,13 @@ pub fn bounce_met_pass(
     }
     let sample = part.first + i % part.samples;
     let choice = random_pair(i / part.samples, sample, 0);
-    let reflector = reflectors[chosen(choice.x, reflectors.len() as u32) as usize];
+    let first = chosen(choice.x, reflectors.len() as u32);
+    let surface = reflectors[reflector_drawn(reflectors[first as usize], first, choice.y) as usize].surface;
     let ray = shadow_rays[(2 * i + 1) as usize];
     met[i as usize] = Seen {
         position: ray.origin + ray.reach * ray.dir,
-        surface: select(NOWHERE, reflector, ray.reach > 0.0),
-        normal: surfaces[reflector as usize].rectangle.normal,
+        surface: select(NOWHERE, surface, ray.reach > 0.0),
+        normal: surfaces[surface as usize].rectangle.normal,
         point_index: NOWHERE,
         view: -ray.dir,
     };

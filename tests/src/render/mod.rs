@@ -12,6 +12,7 @@ mod judged;
 mod method;
 mod picture;
 mod rectangles;
+mod reflectors;
 mod shadowed;
 mod upload;
 mod virtual_lights;

@@ -1,12 +1,14 @@
 //! A scene as the passes want it.
 
 use super::bvh::Bvh;
+use super::reflectors::reflectors;
 use crate::proxies::{Proxies, Proxy};
 use crate::scene::{self, Camera, Detail, Details, Light, Scene};
 use lobe_codegen::glam::Vec3;
 use lobe_kernels::brdf::Material;
 use lobe_kernels::rect::Rectangle;
 use lobe_kernels::rect::pass::RectProxy;
+use lobe_kernels::reference::reflector::Reflector;
 use lobe_kernels::scene::camera::PinholeCamera;
 use lobe_kernels::scene::light::SceneLight;
 use lobe_kernels::scene::texture::SurfaceDetail;
@@ -40,8 +42,8 @@ pub struct Uploaded {
     pub proxies: Vec<RectProxy>,
     /// How far each of these is from what it stands for, in m.
     pub slacks: Vec<f32>,
-    /// Those surfaces that a light can shine on; at least one.
-    pub reflectors: Vec<u32>,
+    /// Those surfaces that a light can shine on, once for each light; at least one.
+    pub reflectors: Vec<Reflector>,
 }
 
 impl Uploaded {
@@ -63,8 +65,8 @@ impl Uploaded {
         let camera = camera(&scene.camera);
         let bvh = Bvh::new(&triangles, SLACK * extent(&triangles, camera.position));
         let lights: Vec<SceneLight> = scene.lights.iter().map(light).collect();
-        let materials = scene.materials.iter().map(|(_, material)| *material).collect();
-        let reflectors = reflectors(&surfaces, &lights);
+        let materials: Vec<Material> = scene.materials.iter().map(|(_, material)| *material).collect();
+        let reflectors = reflectors(&surfaces, &materials, &lights);
         if surface_details.iter().all(|detail| detail.skin == NOWHERE) {
             surface_details.clear();
         }
@@ -197,16 +199,4 @@ fn light(light: &Light) -> SceneLight {
             blend: (outer - inner).max(LEAST_BLEND),
         },
     }
-}
-
-fn reflectors(surfaces: &[Surface], lights: &[SceneLight]) -> Vec<u32> {
-    let is_lit = |surface: &Surface| lights.iter().any(|light| shines_on(light, &surface.rectangle));
-    let lit: Vec<u32> = (0_u32..).zip(surfaces).filter(|(_, s)| is_lit(s)).map(|(at, _)| at).collect();
-    if lit.is_empty() { vec![0] } else { lit }
-}
-
-/// Whether the light is before the rectangle; a distance or an angle does not matter.
-fn shines_on(light: &SceneLight, rectangle: &Rectangle) -> bool {
-    let towards = if light.is_spot == 1 { light.position - rectangle.position } else { light.axis };
-    rectangle.normal.dot(towards) > 0.0
 }

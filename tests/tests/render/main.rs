@@ -8,6 +8,7 @@ mod field;
 mod field_tree;
 mod passes;
 mod reference;
+mod reflectors;
 mod routes;
 mod shadows;
 mod spoil;
