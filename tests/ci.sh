@@ -18,13 +18,21 @@ all=(setup format lint test outside doc check mutate oracle measure throughput)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
+# The program that the tests have built. `cargo run` would build all of it again: what the tests depend on gives its
+# dependencies features that it alone does not have.
+lobe() {
+    cargo test --release --workspace --no-run --quiet &&
+        "${CARGO_TARGET_DIR:-target}/release/lobe" "$@"
+}
+
 # One command each, so that its exit status is the step's.
 # shellcheck disable=SC2317 # called by name
 {
 step_setup() { tests/setup.sh; }
 step_format() { cargo fmt --all --check; }
-step_lint() { cargo clippy --workspace --all-targets -- -D warnings; }
-# Optimised, as the steps after it: what they need is built once, and the tests' own time is spent in the interpreter.
+# Optimised, as what follows: programs that run while others are built are then built once.
+step_lint() { cargo clippy --release --workspace --all-targets -- -D warnings; }
+# The tests' own time is spent in the interpreter.
 step_test() { cargo test --release --workspace --no-fail-fast; }
 # A crate of a user's own, as a user builds it: a workspace by itself, with the versions of ours. Its dependencies are built
 # again, since the features that they have here come from tests of ours.
@@ -36,22 +44,22 @@ step_outside() (
     cargo test --workspace
     "$CARGO_TARGET_DIR/debug/examples/glow"
 )
-step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps; }
+step_doc() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
 # The main job, as a user runs it, with every road to the driver that CI must have, and drivers drawn by chance.
 step_check() {
-    cargo run --release -- check --sanitize --perturbed 10 \
+    lobe check --sanitize --perturbed 10 \
         --require "spirv@lavapipe" --require "wgsl+naga@lavapipe" --require "hlsl+dxc@lavapipe" \
         --require "hlsl+slang@lavapipe" --require "glsl+glslang@lavapipe" \
         --require "wgsl+tint@lavapipe" --require "glsl@llvmpipe"
 }
 # What share of faults seeded into the library a check notices.
-step_mutate() { cargo run --release -- mutate --equivalence 200000; }
+step_mutate() { lobe mutate --equivalence 200000; }
 # The tables that came with the kernels, on every route.
-step_oracle() { cargo run --release -- oracle tests/cases/oracle; }
+step_oracle() { lobe oracle tests/cases/oracle; }
 # The figures in the documentation are those of today.
-step_measure() { cargo run --release -- measure --check; }
+step_measure() { lobe measure --check; }
 # The interpreter keeps half of its goals against lavapipe: no more can be asked of a machine that does other things too.
-step_throughput() { cargo run --release -- bench --floor; }
+step_throughput() { lobe bench --floor; }
 }
 
 command -v cargo >/dev/null || { echo "ci: cargo is missing: install Rust from https://rustup.rs" >&2; exit 1; }
