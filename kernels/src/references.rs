@@ -38,6 +38,8 @@ references! {
     Heitz18;
     /// N. J. Higham, Accuracy and Stability of Numerical Algorithms, second edition, SIAM, 2002.
     Higham02;
+    /// D. Hilbert, Ueber die stetige Abbildung einer Linie auf ein Flächenstück, Mathematische Annalen 38, 1891.
+    Hilbert1891;
     /// W. D. Hillis, G. L. Steele, Data Parallel Algorithms, Communications of the ACM 29 (12), 1986.
     HillisSteele86;
     /// T. Ize, Robust BVH Ray Traversal, Journal of Computer Graphics Techniques 2 (2), 2013.

@@ -1,6 +1,6 @@
 //! Options of the methods of virtual lights.
 
-use lobe_tests::render::{Density, VirtualLights};
+use lobe_tests::render::{Density, Reading, VirtualLights};
 
 /// Options of virtual lights.
 #[derive(Debug, clap::Args)]
@@ -14,6 +14,13 @@ pub(crate) struct VirtualArgs {
     /// By what texels are drawn: vsgl, vpl or power
     #[arg(long, default_value_t = Density::Vsgl)]
     density: Density,
+    /// Share of the lights that is drawn by reflected power whatever the density
+    #[arg(long, value_name = "SHARE", default_value_t = 0.5, value_parser = |text: &str| within(text, 0.001, 1.0))]
+    power_share: f32,
+    /// What a virtual light is read from: square, of the map around one texel, or stratum, all texels between it and the next;
+    /// of vsl-wide in a single picture the stratum, else the square if not given
+    #[arg(long, value_name = "WHAT")]
+    reading: Option<Reading>,
     /// How many times its own square of the map a virtual light is read from; 0 for one texel
     #[arg(short, long, value_name = "K", default_value_t = 4.0, value_parser = |text: &str| within(text, 0.0, 100.0))]
     k: f32,
@@ -47,6 +54,8 @@ impl VirtualArgs {
             count: self.lights,
             map: self.map,
             density: self.density,
+            floor_share: self.power_share,
+            reading: self.reading,
             smoothing: self.k,
             filters_lobes: !self.raw_lobes,
             bias: self.bias,

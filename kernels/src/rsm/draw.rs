@@ -1,9 +1,10 @@
-//! Texels drawn by their density, and the lights that they make.
+//! Texels drawn by their density, and the lights that they make out of the squares around them.
 
 use crate::reference::random::random_pair;
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::{KrivanekColbert08, Ritschel11, Tokuyoshi15};
 use crate::rsm::chain::{MapLevel, place_in};
+use crate::rsm::curve::curve_texel;
 use crate::rsm::light::{VirtualLight, light_of_mean};
 use crate::rsm::mean::{MapMean, OF_BOTH, map_mean_add, map_mean_nothing, map_mean_of, map_mean_share};
 use crate::rsm::point::MapPoint;
@@ -32,6 +33,8 @@ pub struct DrawSettings {
     pub are_lobes_filtered: u32,
     /// 1 for numbers by chance within their strata, 0 for the middles.
     pub is_random: u32,
+    /// 1 where lights are of whole strata, which are asked for by where they begin.
+    pub is_whole: u32,
 }
 
 /// Density of what was drawn up to a texel, from the two sums of [`crate::rsm::scan`].
@@ -50,37 +53,30 @@ pub fn drawn_share(sum: Vec2, total: Vec2, floor_share: f32) -> f32 {
     (1.0 - by_power) * (sum.x / max(total.x, 1e-30)) + by_power * (sum.y / max(total.y, 1e-30))
 }
 
-/// The lights that are drawn: a pass.
+/// Where along the curve lights are drawn: a pass.
 ///
-/// Each has a stratum of its own. A texel is read at the level that its density asks for, between four means of each of
-/// the two levels next to it.
-/// Source: [Ritschel11] section 4, [Tokuyoshi15] section 3.2 ([KrivanekColbert08]).
+/// Each light has a stratum of its own: its middle, a place by chance, or where it begins.
 #[kernel(workgroup_size(64))]
-pub fn light_draw_pass(
+pub fn light_place_pass(
     #[builtin(global_invocation_id)] id: UVec3,
     #[uniform(0, 0)] drawing: &DrawSettings,
-    #[storage(0, 1)] levels: &[MapLevel],
-    #[storage(0, 2)] map_points: &[MapPoint],
-    #[storage(0, 3)] map_means: &[MapMean],
-    #[storage(0, 4)] estimates: &[Vec2],
-    #[storage(0, 5)] sums: &[Vec2],
-    #[storage(0, 6)] block_sums: &[Vec2],
-    #[storage(0, 7)] virtual_lights: &mut [VirtualLight],
+    #[storage(0, 1)] sums: &[Vec2],
+    #[storage(0, 2)] block_sums: &[Vec2],
+    #[storage(0, 3)] light_places: &mut [u32],
 ) {
     let i = id.x;
-    if i >= virtual_lights.len() as u32 {
+    if i >= light_places.len() as u32 {
         return;
     }
-    let map = levels[0];
-    let texels = map.width * map.height;
     let total = block_sums[(block_sums.len() as u32 - 1) as usize];
     let chance = random_pair(i, drawing.frame, 7);
-    let within = select(0.5, chance.x, drawing.is_random == 1);
+    let drawn = select(0.5, chance.x, drawing.is_random == 1);
+    let within = select(drawn, 0.0, drawing.is_whole == 1);
     let u = (i as f32 + within) / drawing.count as f32;
 
-    // The first texel whose sum is above `u`.
+    // The first place whose sum is above `u`.
     let mut low = 0_u32;
-    let mut high = texels - 1;
+    let mut high = sums.len() as u32 - 1;
     while low < high {
         let middle = (low + high) / 2;
         let block = middle / SCAN_BLOCK;
@@ -91,8 +87,34 @@ pub fn light_draw_pass(
             low = middle + 1;
         }
     }
-    let texel = low;
-    let all = texels as f32;
+    light_places[i as usize] = low;
+}
+
+/// The lights that are drawn: a pass.
+///
+/// A texel is read at the level that its density asks for, between four means of each of the two levels next to it.
+/// Source: [Ritschel11] section 4, [Tokuyoshi15] section 3.2 ([KrivanekColbert08]).
+#[kernel(workgroup_size(64))]
+pub fn light_draw_pass(
+    #[builtin(global_invocation_id)] id: UVec3,
+    #[uniform(0, 0)] drawing: &DrawSettings,
+    #[storage(0, 1)] levels: &[MapLevel],
+    #[storage(0, 2)] map_points: &[MapPoint],
+    #[storage(0, 3)] map_means: &[MapMean],
+    #[storage(0, 4)] estimates: &[Vec2],
+    #[storage(0, 5)] block_sums: &[Vec2],
+    #[storage(0, 6)] light_places: &[u32],
+    #[storage(0, 7)] virtual_lights: &mut [VirtualLight],
+) {
+    let i = id.x;
+    if i >= virtual_lights.len() as u32 {
+        return;
+    }
+    let map = levels[0];
+    let total = block_sums[(block_sums.len() as u32 - 1) as usize];
+    // Where there is no density, it may lead beside the map.
+    let texel = min(curve_texel(light_places[i as usize], map), map.width * map.height - 1);
+    let all = map.width as f32 * map.height as f32;
     let pdf = all * drawn_share(estimates[texel as usize], total, drawing.floor_share);
     let weight = select(0.0, all * brsm_weight(pdf, drawing.count as f32), pdf > 1e-9);
 

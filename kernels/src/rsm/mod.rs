@@ -7,8 +7,10 @@
 //! | [`mean`] | what is kept of several texels |
 //! | [`chain`] | means of ever larger squares: a mip chain |
 //! | [`density`] | how much each texel matters to what the camera sees |
+//! | [`curve`] | the order of the texels in these |
 //! | [`scan`] | sums of all texels before each |
 //! | [`draw`] | texels by their density, read at the level that it asks for: virtual lights |
+//! | [`stratum`] | lights of all texels between two that are drawn |
 //! | [`light`] | a virtual light, and what it sends by way of a surface |
 //! | [`shade`] | all virtual lights on each pixel |
 //! | [`shadow`] | rays between pixels and virtual lights |
@@ -22,6 +24,7 @@
 //! A map's passes call their buffers `map_points`, `levels` and `map_means`, whatever the map is of.
 
 pub mod chain;
+pub mod curve;
 pub mod density;
 pub mod draw;
 pub mod light;
@@ -30,6 +33,7 @@ pub mod point;
 pub mod scan;
 pub mod shade;
 pub mod shadow;
+pub mod stratum;
 pub mod two;
 pub mod view;
 pub mod wide;

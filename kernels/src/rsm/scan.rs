@@ -1,7 +1,10 @@
-//! Sums of all texels before each: within blocks, and of blocks.
+//! Sums of all texels before each, along [`crate::rsm::curve`]: within blocks, and of blocks.
 
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::HillisSteele86;
+use crate::rsm::chain::MapLevel;
+use crate::rsm::curve::curve_texel;
+use crate::scene::NOWHERE;
 use lobe_codegen::prelude::*;
 
 /// Numbers that an invocation adds up.
@@ -11,9 +14,12 @@ pub const SCAN_EACH: u32 = 16;
 #[kernel]
 pub const SCAN_BLOCK: u32 = 1024;
 
-/// A pass that sums `$values` within blocks of [`SCAN_BLOCK`].
+/// A pass that sums what `$read` gives at each place within blocks of [`SCAN_BLOCK`].
 macro_rules! scan_pass {
-    ($(#[$doc:meta])* $name:ident, $values:ident, $sums:ident, $totals:ident) => {
+    (
+        $(#[$doc:meta])* $name:ident, $values:ident, $sums:ident, $totals:ident,
+        [$($levels:ident: $level:ty)?], |$at:ident| $read:expr
+    ) => {
         $(#[$doc])*
         ///
         /// Source: [HillisSteele86] across invocations, one after the other within.
@@ -24,14 +30,16 @@ macro_rules! scan_pass {
             #[storage(0, 0)] $values: &[Vec2],
             #[storage(0, 1)] $sums: &mut [Vec2],
             #[storage(0, 2)] $totals: &mut [Vec2],
+            $(#[storage(0, 3)] $levels: &[$level],)?
             #[workgroup] partial: &mut [Vec2; 64],
         ) {
-            let count = $values.len() as u32;
+            let count = $sums.len() as u32;
             let first = SCAN_BLOCK * group.x + SCAN_EACH * index;
             let mut own = Vec2::ZERO;
             for k in 0_u32..16 {
-                if first + k < count {
-                    own += $values[(first + k) as usize];
+                let $at = first + k;
+                if $at < count {
+                    own += $read;
                 }
             }
             partial[index as usize] = own;
@@ -47,9 +55,10 @@ macro_rules! scan_pass {
             workgroup_barrier();
             let mut sum = select(Vec2::ZERO, partial[(max(index, 1) - 1) as usize], index > 0);
             for k in 0_u32..16 {
-                if first + k < count {
-                    sum += $values[(first + k) as usize];
-                    $sums[(first + k) as usize] = sum;
+                let $at = first + k;
+                if $at < count {
+                    sum += $read;
+                    $sums[$at as usize] = sum;
                 }
             }
             if index == 63 && group.x < $totals.len() as u32 {
@@ -60,11 +69,17 @@ macro_rules! scan_pass {
 }
 
 scan_pass!(
-    /// Sums of the estimates of each block up to each: a pass of 64 invocations a block.
+    /// Sums of the estimates of each block of the curve up to each: a pass of 64 invocations a block.
     scan_pass,
     estimates,
     sums,
-    block_totals
+    block_totals,
+    [levels: MapLevel],
+    |at| {
+        let texel = curve_texel(at, levels[0]);
+        let last = estimates.len() as u32 - 1;
+        select(Vec2::ZERO, estimates[min(texel, last) as usize], texel != NOWHERE)
+    }
 );
 
 scan_pass!(
@@ -72,5 +87,7 @@ scan_pass!(
     scan_block_pass,
     block_totals,
     block_sums,
-    all_totals
+    all_totals,
+    [],
+    |at| block_totals[at as usize]
 );

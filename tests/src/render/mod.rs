@@ -25,7 +25,7 @@ pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
 pub use picture::{Layer, Picture};
 pub use upload::Uploaded;
-pub use virtual_lights::{Density, VirtualLights};
+pub use virtual_lights::{Density, Reading, Survey, VirtualLights};
 
 use crate::proxies::Proxies;
 use crate::scene::{Scene, texel_values};
@@ -127,11 +127,7 @@ impl Renderer {
     ) -> Result<Picture, ExecError> {
         let uploaded = Uploaded::new(scene, proxies);
         let slacks = uploaded.slacks.clone();
-        let mapped = virtual_lights::Mapped {
-            camera: uploaded.camera,
-            lights: uploaded.lights.clone(),
-            triangles: uploaded.bvh.triangles.clone(),
-        };
+        let mapped = virtual_lights::Mapped::new(&uploaded);
         let mut frame = Frame::new(&self.pipeline, uploaded, settings, dispatcher)?;
         frame.see()?;
         let mut picture = frame.direct()?;

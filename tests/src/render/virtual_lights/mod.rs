@@ -2,10 +2,12 @@
 
 mod map;
 mod settings;
+mod survey;
 
-pub use settings::{Density, VirtualLights};
+pub use settings::{Density, Reading, VirtualLights};
+pub use survey::Survey;
 
-use super::{Frame, Layer, Method, Picture};
+use super::{Frame, Layer, Method, Picture, Uploaded};
 use lobe_backends::executor::ExecError;
 use lobe_codegen::glam::{Vec2, Vec3};
 use lobe_kernels::reference::random::random_pair;
@@ -44,6 +46,16 @@ pub(super) struct Mapped {
     pub(super) camera: PinholeCamera,
     pub(super) lights: Vec<SceneLight>,
     pub(super) triangles: Vec<Triangle>,
+}
+
+impl Mapped {
+    pub(super) fn new(uploaded: &Uploaded) -> Self {
+        Self {
+            camera: uploaded.camera,
+            lights: uploaded.lights.clone(),
+            triangles: uploaded.bvh.triangles.clone(),
+        }
+    }
 }
 
 impl Frame<'_, '_> {
@@ -149,42 +161,52 @@ impl Frame<'_, '_> {
         Ok(view.origin)
     }
 
+    /// How much each texel of a light's map matters.
+    fn weigh(&mut self) -> Result<(), ExecError> {
+        let settings = self.settings.virtual_lights;
+        let texels = settings.map * settings.map;
+        self.room("estimates", texels)?;
+        let by_points = settings.density == Density::Vpl;
+        self.dispatch(if by_points { "density_point_pass" } else { "density_pass" }, texels)
+    }
+
     /// Lights drawn out of a light's map; returns how many.
     fn draw(&mut self, origin: Vec3, lights: u32, frame: u32) -> Result<u32, ExecError> {
         let settings = self.settings.virtual_lights;
-        let texels = settings.map * settings.map;
         let levels = map::levels(settings.map, settings.map);
         self.chain(&levels, origin, OF_BOTH)?;
-        let blocks = texels.div_ceil(SCAN_BLOCK);
-        for (buffer, count) in [
-            ("estimates", texels),
-            ("sums", texels),
-            ("block_totals", blocks),
-            ("block_sums", blocks),
-            ("all_totals", 1),
-        ] {
+        self.weigh()?;
+        // The curve fills a square of a power of two.
+        let steps = settings.map.next_power_of_two().pow(2);
+        let blocks = steps.div_ceil(SCAN_BLOCK);
+        for (buffer, count) in
+            [("sums", steps), ("block_totals", blocks), ("block_sums", blocks), ("all_totals", 1)]
+        {
             self.room(buffer, count)?;
         }
-        let by_points = settings.density == Density::Vpl;
-        self.dispatch(if by_points { "density_point_pass" } else { "density_pass" }, texels)?;
         self.dispatch("scan_pass", 64 * blocks)?;
         self.dispatch("scan_block_pass", 64)?;
         let count = settings.count.div_ceil(lights.max(1)).max(1);
         // A square as much smaller as its radius.
         let smoothing = settings.smoothing * settings.shrink.powi(2 * frame.min(1000) as i32);
+        let method = self.settings.method;
+        let is_whole = settings.reading(method) == Reading::Stratum;
         let drawing = DrawSettings {
             origin,
             count,
-            smoothing: if self.settings.method == Method::Vpl { 0.0 } else { smoothing },
-            floor_share: if settings.density == Density::Power { 1.0 } else { settings.floor_share },
+            smoothing: if method == Method::Vpl { 0.0 } else { smoothing },
+            floor_share: settings.floor(),
             frame,
             are_lobes_filtered: u32::from(settings.filters_lobes),
             is_random: u32::from(settings.frames > 1),
+            is_whole: u32::from(is_whole),
         };
         self.memory.put("drawing", self.pipeline.pack("drawing", &[drawing])?);
+        self.room("light_places", count)?;
         self.room("virtual_lights", count)?;
-        self.dispatch("light_draw_pass", count)?;
-        if self.settings.method == Method::VslWide {
+        self.dispatch("light_place_pass", count)?;
+        self.dispatch(if is_whole { "light_stratum_pass" } else { "light_draw_pass" }, count)?;
+        if method == Method::VslWide {
             self.room("wide_lights", count)?;
             self.dispatch("wide_light_pass", count)?;
         }
@@ -219,8 +241,8 @@ impl Frame<'_, '_> {
         Ok(())
     }
 
-    /// Adds the two lights of a light's map to the pixels.
-    fn two_lights(&mut self, origin: Vec3) -> Result<(), ExecError> {
+    /// The two lights of a light's map.
+    fn whole_lights(&mut self, origin: Vec3) -> Result<(), ExecError> {
         let settings = self.settings.virtual_lights;
         let levels = map::levels(settings.map, settings.map);
         self.room("whole_lights", 2)?;
@@ -228,6 +250,13 @@ impl Frame<'_, '_> {
             self.chain(&levels, origin, part)?;
             self.dispatch("whole_light_pass", 1)?;
         }
+        Ok(())
+    }
+
+    /// Adds the two lights of a light's map to the pixels.
+    fn two_lights(&mut self, origin: Vec3) -> Result<(), ExecError> {
+        self.whole_lights(origin)?;
+        let settings = self.settings.virtual_lights;
         self.dispatch(shading(self.settings.method, &settings), self.pixels())
     }
 

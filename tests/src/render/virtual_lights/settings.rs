@@ -1,5 +1,7 @@
 //! How virtual lights are made and shone.
 
+use crate::render::Method;
+
 /// By what the texels of a light's map are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Density {
@@ -43,6 +45,46 @@ impl std::str::FromStr for Density {
     }
 }
 
+/// What a virtual light is read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// The square of the map around one texel.
+    Square,
+    /// All texels of its stratum.
+    Stratum,
+}
+
+impl Reading {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 2] = [Self::Square, Self::Stratum];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Square => "square",
+            Self::Stratum => "stratum",
+        }
+    }
+}
+
+impl std::fmt::Display for Reading {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for Reading {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|reading| reading.name() == text);
+        found.ok_or_else(|| {
+            format!("`{text}` is no reading; there are {}", Self::ALL.map(Self::name).join(" and "))
+        })
+    }
+}
+
 /// How virtual lights are made and shone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VirtualLights {
@@ -56,6 +98,8 @@ pub struct VirtualLights {
     pub view_lights: u32,
     /// Share that is drawn by reflected power alone.
     pub floor_share: f32,
+    /// What a light is read from; without it the stratum by [`Method::VslWide`] in a single picture, else the square.
+    pub reading: Option<Reading>,
     /// How many times its own square a light is read from; 0 for the texel alone.
     pub smoothing: f32,
     /// Whether glossy lobes are filtered, too.
@@ -74,6 +118,27 @@ pub struct VirtualLights {
     pub shrink: f32,
 }
 
+impl VirtualLights {
+    /// What a light of `method` is read from.
+    pub(super) fn reading(&self, method: Method) -> Reading {
+        let own =
+            if method == Method::VslWide && self.frames <= 1 { Reading::Stratum } else { Reading::Square };
+        match method {
+            // Their light is one texel's.
+            Method::Vpl | Method::Vsl => Reading::Square,
+            _ => self.reading.unwrap_or(own),
+        }
+    }
+
+    /// Share of the lights that is drawn by reflected power alone.
+    pub(super) fn floor(&self) -> f32 {
+        match self.density {
+            Density::Power => 1.0,
+            Density::Vsgl | Density::Vpl => self.floor_share,
+        }
+    }
+}
+
 impl Default for VirtualLights {
     fn default() -> Self {
         Self {
@@ -81,7 +146,8 @@ impl Default for VirtualLights {
             map: 256,
             density: Density::Vsgl,
             view_lights: 64,
-            floor_share: 0.05,
+            floor_share: 0.5,
+            reading: None,
             smoothing: 4.0,
             filters_lobes: true,
             bias: 0.001,
