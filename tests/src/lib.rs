@@ -46,6 +46,7 @@ pub mod explain;
 pub mod export;
 pub mod figures;
 pub mod files;
+pub mod flicker;
 pub mod judge;
 pub mod measure;
 pub mod metrics;

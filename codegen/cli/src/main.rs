@@ -13,6 +13,7 @@ mod explain;
 mod export;
 mod fail;
 mod figures;
+mod flicker;
 mod list;
 mod measure;
 mod merge;
@@ -77,6 +78,8 @@ enum Command {
     Compare(compare::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
+    /// Measure how much virtual lights flicker while the light turns
+    Flicker(flicker::Args),
     /// Measure the throughput of the interpreter, native code and drivers, side by side
     Bench(bench::Args),
     /// Say which routes and tools this machine has, and how to get the others
@@ -113,6 +116,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Render(args) => render::run(args),
         Command::Compare(args) => compare::run(args),
         Command::Figures(args) => figures::run(args),
+        Command::Flicker(args) => flicker::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Doctor(args) => doctor::run(args),
         Command::Completions(args) => completions::run(args, Cli::command()),

@@ -13,6 +13,11 @@ pub(crate) fn open(path: &Path, choices: &Choices) -> Result<Scene, Fail> {
     Ok(scene)
 }
 
+/// A scene's name: that of its file.
+pub(crate) fn name(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
 fn refused(path: &Path, cause: SceneError) -> Fail {
     match cause {
         // It names the file, which may be another.

@@ -98,6 +98,19 @@ fn methods_against_each_other() {
 }
 
 #[test]
+fn virtual_lights_over_their_number_and_in_time() {
+    let scene = at("tests/cases/scenes/plates_a010.json").display().to_string();
+    let costs = lines(
+        "lights",
+        &["bench", "--lights", &scene, "--size", "4x4", "--rounds", "1", "--route", "interp"],
+    );
+    assert_eq!(costs.iter().filter(|line| line["fixed"].is_number()).count(), 4);
+    let few = ["--size", "8x8", "--pictures", "4", "--lights", "64"];
+    let methods = lines("flicker", &[&["flicker", &scene], &few[..]].concat());
+    assert_eq!(methods.len(), 3);
+}
+
+#[test]
 fn proxies_of_scenes() {
     for (scene, count) in [("room.gltf", 5), ("plates.gltf", 3), ("cornell_L0.json", 6)] {
         let path = at("tests/cases/scenes").join(scene).display().to_string();

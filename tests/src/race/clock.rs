@@ -21,6 +21,11 @@ impl<'d, 'p> Clock<'d, 'p> {
     pub(super) fn seconds(&self, counts: impl Fn(&str) -> bool) -> f64 {
         self.laps.iter().filter(|(pass, _)| counts(pass)).map(|(_, seconds)| seconds).sum()
     }
+
+    /// The time of all passes from the first on that is one of `first`.
+    pub(super) fn seconds_from(&self, first: &[&str]) -> f64 {
+        self.laps.iter().skip_while(|(pass, _)| !first.contains(pass)).map(|(_, seconds)| seconds).sum()
+    }
 }
 
 impl<'p> Dispatcher<'p> for Clock<'_, 'p> {

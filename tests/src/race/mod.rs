@@ -4,8 +4,10 @@
 //! Sampling runs beside them with ever more samples, so that its time at the error of each method is known.
 
 mod clock;
+mod lights;
 mod plot;
 
+pub use lights::{LightCost, LightFit, light_costs, light_fits};
 pub use plot::plot;
 
 use crate::metrics::{Image, Pair, PairError, Radiometry, radiometry};

@@ -1,6 +1,7 @@
 //! `lobe bench`: throughput of every executor on the same kernels, as ratios.
 
 mod emitted;
+mod lights;
 mod render;
 
 use crate::fail::{Fail, Outcome};
@@ -15,6 +16,8 @@ use std::process::Command;
 
 /// Version of the format.
 const SCHEMA: u32 = 1;
+/// Columns and rows of pictures, unless said otherwise.
+const SIZE: [u32; 2] = [128; 2];
 
 /// Options.
 #[derive(Debug, clap::Args)]
@@ -48,8 +51,11 @@ pub(crate) struct Args {
     /// Measure instead what the methods of `lobe render` cost on these scenes, and how far they are from the truth
     #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["kernels", "items", "floor", "emitted"])]
     render: Vec<PathBuf>,
-    /// With --render: columns and rows, instead of 128x128
-    #[arg(long, value_name = "WxH", requires = "render", value_parser = crate::render::size)]
+    /// Measure instead what the virtual lights of `lobe render` cost in these scenes, over their number and that of the pixels
+    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["kernels", "items", "floor", "emitted", "render"])]
+    lights: Vec<PathBuf>,
+    /// With --render or --lights: columns and rows, instead of 128x128; of --lights the columns count
+    #[arg(long, value_name = "WxH", conflicts_with_all = ["kernels", "emitted"], value_parser = crate::render::size)]
     size: Option<[u32; 2]>,
     /// With --render: samples a pixel of the truth
     #[arg(long, value_name = "SAMPLES", default_value_t = 8192, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
@@ -76,7 +82,11 @@ point (1.05 x both). Then the time to write each in every target, beside slang's
 With --render, the methods of rectangles and sampling with 4 to 256 samples a pixel take turns on spirv@lavapipe, or on \
 the routes that are named: time of the passes that find the light of one bounce, buffers' way to the driver and back \
 included, and the error of the glossy light of glossy surfaces, without occlusion, against --truth. The last number \
-is how many times as long sampling takes to a method's error.";
+is how many times as long sampling takes to a method's error.
+
+With --lights, vpl, vsl-wide, vsgl and vsgl2 take turns with 256 to 8192 virtual lights on 128 x 128 pixels, and with 1024 on \
+pictures half, twice and four times as wide: time of the pass that adds lights to pixels, and of those that make the lights, buffers' way \
+to the driver and back included. Then the times of that pass as a line over lights times pixels.";
 
 /// The route that goals are stated against.
 const YARDSTICK: &str = "wgsl+naga@lavapipe";
@@ -91,6 +101,9 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     }
     if !args.render.is_empty() && args.threads.is_none_or(runs_with) {
         return render::run(args);
+    }
+    if !args.lights.is_empty() && args.threads.is_none_or(runs_with) {
+        return lights::run(args);
     }
     if let Some(threads) = args.threads.filter(|n| !runs_with(*n)) {
         return again(threads);

@@ -1,21 +1,16 @@
 //! `lobe bench --render`: what the methods of rendering cost, and how far they are from the truth.
 
-use super::{Args, SCHEMA};
+use super::{Args, SCHEMA, SIZE};
 use crate::fail::{Fail, Outcome};
 use crate::output::{self, ListFormat};
-use crate::paint::{Form, Painter};
+use crate::paint::{Form, plotted};
 use crate::scene;
 use lobe_backends::route::{Road, Route};
 use lobe_backends::routes::Machine;
-use lobe_tests::figures::{svg, theme::Theme};
 use lobe_tests::proxies::{self, Options};
 use lobe_tests::race::{self, Course, Effort, Rules};
 use lobe_tests::render::Renderer;
 use lobe_tests::scene::Choices;
-use std::path::Path;
-
-/// Columns and rows, unless said otherwise.
-const SIZE: [u32; 2] = [128; 2];
 
 /// Measures on all scenes and routes.
 pub(super) fn run(args: &Args) -> Result<Outcome, Fail> {
@@ -32,26 +27,16 @@ pub(super) fn run(args: &Args) -> Result<Outcome, Fail> {
             let mut scene = scene::open(path, &Choices::default())?;
             scene.camera.size = args.size.unwrap_or(SIZE);
             let proxies = proxies::proxies(&scene, &Options::default())?;
-            let course = Course { name: &name(path), scene: &scene, proxies: &proxies };
+            let course = Course { name: &scene::name(path), scene: &scene, proxies: &proxies };
             let efforts = race::race(&renderer, course, dispatcher.as_mut(), rules)?;
             output::print(&shown(&efforts, args.format))?;
             all.extend(efforts);
         }
     }
     if let Some((path, form)) = plot {
-        let text = svg::render(&race::plot(&all), Theme::Light);
-        let bytes = match form {
-            Form::Png => Painter::new().png(&text)?,
-            Form::Svg => text.into_bytes(),
-        };
-        output::write_file(path, &bytes)?;
+        output::write_file(path, &plotted(&race::plot(&all), form)?)?;
     }
     Ok(Outcome::Holds)
-}
-
-/// A scene's name: that of its file.
-fn name(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn shown(efforts: &[Effort], format: ListFormat) -> String {

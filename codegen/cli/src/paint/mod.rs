@@ -5,7 +5,9 @@ mod figure;
 pub(crate) use figure::Painter;
 
 use crate::fail::Fail;
+use lobe_tests::figures::plot::Figure;
 use lobe_tests::figures::proxies::Drawing;
+use lobe_tests::figures::{svg, theme::Theme};
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::Path;
@@ -60,6 +62,15 @@ pub(crate) fn painted(drawing: &Drawing) -> Result<Vec<u8>, Fail> {
     let tree = Tree::from_str(&drawing.strokes(), &Options::default()).map_err(|e| defect(&e))?;
     resvg::render(&tree, Transform::identity(), &mut canvas.as_mut());
     Ok(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect())
+}
+
+/// A figure as a file, for light pages.
+pub(crate) fn plotted(figure: &Figure, form: Form) -> Result<Vec<u8>, Fail> {
+    let text = svg::render(figure, Theme::Light);
+    match form {
+        Form::Png => Painter::new().png(&text),
+        Form::Svg => Ok(text.into_bytes()),
+    }
 }
 
 /// A drawing as a file.
