@@ -1,7 +1,12 @@
 //! The committed pictures are what the code draws.
 
+use lobe_backends::pipeline::Interpreted;
 use lobe_tests::figures::theme::Theme;
 use lobe_tests::figures::{all, folder, sheets, svg};
+use lobe_tests::flicker::{self, Flicker, Take, Turn};
+use lobe_tests::proxies::{self, Options};
+use lobe_tests::render::{Renderer, Settings, VirtualLights};
+use lobe_tests::scene::{Choices, Scene};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -46,7 +51,9 @@ fn read(path: &Path) -> (Vec<u8>, usize) {
 #[test]
 fn the_committed_sheets_are_those_of_today() {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for tiles in sheets::tiles(&tests.join("cases/scenes"), false).unwrap_or_else(|e| panic!("{e}")) {
+    for name in sheets::names() {
+        let tiles = sheets::tiles(name, &tests.join("cases/scenes"), false).unwrap_or_else(|e| panic!("{e}"));
+        let tiles = tiles.expect("a sheet that is listed");
         let (bytes, width) = read(&tests.join("pictures").join(tiles.name).with_extension("png"));
         for (y, row) in tiles.rows.iter().enumerate() {
             let drawn = row.iter().enumerate().filter_map(|(x, tile)| Some((x, tile.as_ref()?)));
@@ -64,5 +71,38 @@ fn the_committed_sheets_are_those_of_today() {
                 }
             }
         }
+    }
+}
+
+const MEND_FLICKER: &str = "cd tests/cases/scenes && cargo run --release -- flicker cornell_L1.json caustic_a005.json plates_a005.json \
+     --plot ../../pictures/flicker.svg --format json > ../../pictures/flicker.jsonl";
+
+/// The first of its pictures, in the pixel that is shown.
+#[test]
+fn the_committed_flicker_is_that_of_today() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |name: &str| {
+        let path = tests.join("pictures").join(name);
+        std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}; {MEND_FLICKER}", path.display()))
+    };
+    let measured = read("flicker.jsonl");
+    let measured: Vec<Flicker> =
+        measured.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let drawn = svg::render(&flicker::plot(&measured), Theme::Light);
+    assert!(drawn == read("flicker.svg"), "flicker.svg is stale; {MEND_FLICKER}");
+    let renderer = Renderer::new().unwrap_or_else(|e| panic!("{e}"));
+    for old in measured {
+        let path = tests.join("cases/scenes").join(&old.scene).with_extension("json");
+        let mut scene = Scene::open(&path, &Choices::default()).unwrap_or_else(|e| panic!("{e}"));
+        scene.camera.size = old.size;
+        let proxies = proxies::proxies(&scene, &Options::default()).unwrap_or_else(|e| panic!("{e}"));
+        let turn = Turn { degrees: old.degrees, pictures: 2 };
+        let take = Take { name: &old.scene, scene: &scene, proxies: &proxies, turn };
+        let virtual_lights = VirtualLights { count: old.lights, ..VirtualLights::default() };
+        let method = old.method.parse().expect("a method");
+        let settings = Settings { method, virtual_lights, ..Settings::default() };
+        let found = flicker::series(&renderer, take, &settings, old.pixel, &mut Interpreted::default());
+        let found = found.unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(found, old.series[..2], "{}, {}: stale; {MEND_FLICKER}", old.scene, old.method);
     }
 }

@@ -19,14 +19,22 @@ pub(crate) struct Args {
     /// Render the sheets of pictures instead, of the scenes in this folder
     #[arg(long, value_name = "SCENES", conflicts_with = "no_png")]
     pictures: Option<PathBuf>,
+    /// Of the sheets only this one; can be given several times
+    #[arg(long, value_name = "SHEET", requires = "pictures", value_parser = clap::builder::PossibleValuesParser::new(
+        std::iter::once(PROXIES).chain(sheets::names())
+    ))]
+    only: Vec<String>,
 }
+
+/// The sheet of rectangles over meshes.
+const PROXIES: &str = "proxies";
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
     let fail = |cause| Fail::Write { path: args.folder.clone(), cause };
     std::fs::create_dir_all(&args.folder).map_err(fail)?;
     if let Some(scenes) = &args.pictures {
-        return pictures(&args.folder, scenes);
+        return pictures(&args.folder, scenes, &args.only);
     }
     let painter = Painter::new();
     for figure in lobe_tests::figures::all()? {
@@ -43,10 +51,15 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, Fail> {
 }
 
 /// Writes the sheets.
-fn pictures(folder: &Path, scenes: &Path) -> Result<Outcome, Fail> {
-    write(&folder.join("proxies.png"), &drawings(scenes)?)?;
-    for sheet in sheets::sheets(scenes)? {
+fn pictures(folder: &Path, scenes: &Path, only: &[String]) -> Result<Outcome, Fail> {
+    let is_wanted = |name: &str| only.is_empty() || only.iter().any(|wanted| wanted == name);
+    if is_wanted(PROXIES) {
+        write(&folder.join(PROXIES).with_extension("png"), &drawings(scenes)?)?;
+    }
+    for name in sheets::names().filter(|name| is_wanted(name)) {
+        let Some(sheet) = sheets::drawn(name, scenes)? else { continue };
         write(&folder.join(sheet.name).with_extension("png"), &paint::rgb(sheet.size, &sheet.pixels)?)?;
+        sheet.notes.iter().try_for_each(|note| output::print(&format!("    {note}\n")))?;
     }
     Ok(Outcome::Holds)
 }

@@ -14,6 +14,7 @@ mod shadows;
 mod spoil;
 mod spoilt;
 mod textures;
+mod two_lights;
 mod virtual_lights;
 mod wild;
 

@@ -3,7 +3,10 @@
 //! Neither the methods nor the truth beside them know of occlusion between surfaces; direct light has its shadows, and
 //! virtual lights are where light falls.
 
-use crate::proxies::{self, Options};
+mod densities;
+mod lights;
+
+use crate::proxies::{self, Options, Proxies};
 use crate::render::{Method, Picture, Renderer, Settings, VirtualLights, encoded};
 use crate::scene::{Choices, Scene};
 use lobe_backends::executor::ExecError;
@@ -27,6 +30,8 @@ pub struct Sheet {
     pub size: [u32; 2],
     /// 8-bit RGB, row by row.
     pub pixels: Vec<u8>,
+    /// What was measured besides, a line each.
+    pub notes: Vec<String>,
 }
 
 /// Why a sheet cannot be drawn.
@@ -48,43 +53,57 @@ pub enum SheetError {
 /// A small picture.
 type Tile = Vec<Vec3>;
 
-/// Small pictures in rows, and the name of their sheet; none where the truth is needed and was not asked for.
+/// Small pictures in rows, and the name of their sheet; none where the truth, or as much time, is needed and was not asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tiles {
     /// The sheet's name.
     pub name: &'static str,
     /// Each row's pictures, square ones of one size, in linear RGB.
     pub rows: Vec<Vec<Option<Vec<Vec3>>>>,
+    /// What was measured besides, a line each; nothing without the truth.
+    pub notes: Vec<String>,
 }
 
-/// All sheets, of the scenes in `folder`.
+impl Tiles {
+    fn new(name: &'static str, rows: Vec<Row>) -> Self {
+        Self { name, rows, notes: Vec::new() }
+    }
+}
+
+/// What draws a sheet.
+type Draw = fn(&Artist<'_>) -> Result<Tiles, SheetError>;
+
+/// The sheets, by name.
+const SHEETS: [(&str, Draw); 7] = [
+    ("rectangles", |artist| artist.rectangles()),
+    ("methods", |artist| artist.methods()),
+    ("virtual_lights", |artist| artist.virtual_lights()),
+    ("densities", |artist| artist.densities()),
+    ("lobes", |artist| artist.lobes()),
+    ("bias", |artist| artist.bias()),
+    ("two_lights", |artist| artist.two_lights()),
+];
+
+/// The names of all sheets.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    SHEETS.iter().map(|(name, _)| *name)
+}
+
+/// The sheet of this name, of the scenes in `folder`; none if there is no such.
 ///
 /// # Errors
 /// When a scene or the interpreter is not as it should be.
-pub fn sheets(folder: &Path) -> Result<Vec<Sheet>, SheetError> {
-    Ok(tiles(folder, true)?.iter().map(sheet).collect())
+pub fn drawn(name: &str, folder: &Path) -> Result<Option<Sheet>, SheetError> {
+    Ok(tiles(name, folder, true)?.map(|tiles| sheet(&tiles)))
 }
 
-/// What the sheets are made of; without the truth it takes seconds.
-///
-/// `rectangles`: the box under four lights; direct light, one bounce onto diffuse and onto glossy lobes by
-/// [`Method::RectQuadrature`], their sum, the truth of that, and the difference (red: too bright, blue: too dark).
-/// `methods`: the glossy bounce as printed, corrected, by our closed form and by our quadrature, and the truth.
-/// `virtual_lights`: all light of one bounce by 1024 point lights, lights with Gaussian lobes and lights with GGX lobes, and
-/// the truth.
+/// What the sheet of this name is made of; without the truth it takes seconds.
 ///
 /// # Errors
-/// As of [`sheets`].
-pub fn tiles(folder: &Path, with_truth: bool) -> Result<Vec<Tiles>, SheetError> {
-    let artist = Artist { renderer: Renderer::new()?, folder, with_truth };
-    let lights = ["cornell_L0", "cornell_L1", "cornell_L2", "cornell_L3"];
-    let glossy = ["cornell_L0", "cornell_L1", "plates_a010"];
-    let many = ["caustic_a005", "cornell_L1", "plates_a005"];
-    Ok(vec![
-        Tiles { name: "rectangles", rows: rows(&lights, |name| artist.bounces(name))? },
-        Tiles { name: "methods", rows: rows(&glossy, |name| artist.methods(name))? },
-        Tiles { name: "virtual_lights", rows: rows(&many, |name| artist.virtual_lights(name))? },
-    ])
+/// As of [`drawn`].
+pub fn tiles(name: &str, folder: &Path, with_truth: bool) -> Result<Option<Tiles>, SheetError> {
+    let Some((_, draw)) = SHEETS.iter().find(|(known, _)| *known == name) else { return Ok(None) };
+    Ok(Some(draw(&Artist { renderer: Renderer::new()?, folder, with_truth })?))
 }
 
 /// A pixel's colour in a sheet, 8 bits a channel.
@@ -106,11 +125,16 @@ struct Artist<'a> {
 }
 
 impl Artist<'_> {
-    fn picture(&self, name: &str, method: Method) -> Result<Picture, SheetError> {
+    fn scene(&self, name: &str) -> Result<(Scene, Proxies), SheetError> {
         let told = |reason: String| SheetError::Scene { name: name.to_owned(), reason };
         let path = self.folder.join(format!("{name}.json"));
         let scene = Scene::open(&path, &Choices::default()).map_err(|e| told(e.to_string()))?;
         let proxies = proxies::proxies(&scene, &Options::default()).map_err(|e| told(e.to_string()))?;
+        Ok((scene, proxies))
+    }
+
+    fn picture(&self, name: &str, method: Method) -> Result<Picture, SheetError> {
+        let (scene, proxies) = self.scene(name)?;
         let virtual_lights = VirtualLights { smoothing: 1.0, ..VirtualLights::default() };
         let settings = Settings { method, samples: SAMPLES, virtual_lights, ..Settings::default() };
         Ok(self.renderer.render(&scene, &proxies, &settings, &mut Interpreted::default(), &|_| {})?)
@@ -122,6 +146,13 @@ impl Artist<'_> {
             Method::Reference if !self.with_truth => Ok(None),
             _ => Ok(Some(tile(&self.picture(name, method)?, layer))),
         }
+    }
+
+    /// The box under four lights: direct light, one bounce onto diffuse and onto glossy lobes by [`Method::RectQuadrature`], their
+    /// sum, the truth of that, and the difference (red: too bright, blue: too dark).
+    fn rectangles(&self) -> Result<Tiles, SheetError> {
+        let lights = ["cornell_L0", "cornell_L1", "cornell_L2", "cornell_L3"];
+        Ok(Tiles::new("rectangles", rows(&lights, |name| self.bounces(name))?))
     }
 
     fn bounces(&self, name: &str) -> Result<Row, SheetError> {
@@ -141,16 +172,21 @@ impl Artist<'_> {
         Ok(shown.chain([Some(ours_total), truth, difference]).collect())
     }
 
-    fn methods(&self, name: &str) -> Result<Row, SheetError> {
+    /// The glossy bounce as printed, corrected, by our closed form and by our quadrature, and the truth.
+    fn methods(&self) -> Result<Tiles, SheetError> {
         let methods =
             [Method::RectPaper, Method::Rect, Method::RectLaplace, Method::RectQuadrature, Method::Reference];
         let layer = "indirect_specular_fromspec_novis";
-        methods.into_iter().map(|method| self.tile(name, method, layer)).collect()
+        let row = |name: &str| methods.into_iter().map(|method| self.tile(name, method, layer)).collect();
+        Ok(Tiles::new("methods", rows(&["cornell_L0", "cornell_L1", "plates_a010"], row)?))
     }
 
-    fn virtual_lights(&self, name: &str) -> Result<Row, SheetError> {
+    /// All light of one bounce by 1024 point lights, lights with Gaussian lobes and lights with GGX lobes, and the truth.
+    fn virtual_lights(&self) -> Result<Tiles, SheetError> {
         let methods = [Method::Vpl, Method::Vsgl, Method::VslWide, Method::Reference];
-        methods.into_iter().map(|method| self.tile(name, method, "indirect_total_la")).collect()
+        let layer = "indirect_total_la";
+        let row = |name: &str| methods.into_iter().map(|method| self.tile(name, method, layer)).collect();
+        Ok(Tiles::new("virtual_lights", rows(&["caustic_a005", "cornell_L1", "plates_a005"], row)?))
     }
 }
 
@@ -178,5 +214,5 @@ fn sheet(tiles: &Tiles) -> Sheet {
     };
     let colours = drawn.iter().flat_map(|row| (0..side).flat_map(move |y| line(row, y)));
     let size = [(side * across) as u32, (side * drawn.len()) as u32];
-    Sheet { name: tiles.name, size, pixels: colours.flat_map(shown).collect() }
+    Sheet { name: tiles.name, size, pixels: colours.flat_map(shown).collect(), notes: tiles.notes.clone() }
 }
