@@ -57,7 +57,7 @@ fn in_time(scene: &str, methods: &[&Flicker], has_legend: bool) -> Panel {
         x: Axis::linear("picture", 0.0, (pictures - 1) as f64, 8.0),
         y: Axis::linear("luminance over the mean", 0.0, step * (most / step + 0.2).ceil(), step),
         series: series(methods, lines),
-        legend: has_legend.then_some(Corner::TopRight),
+        legend: has_legend.then_some(Corner::BottomLeft),
     }
 }
 
@@ -70,7 +70,7 @@ fn over_pixels(scene: &str, methods: &[&Flicker]) -> Panel {
     Panel {
         title: format!("{scene}, all pixels"),
         x: Axis::linear("share of the pixels", 0.0, 1.0, 0.25),
-        y: Axis::log("deviation over the mean", -5, 2, 1),
+        y: Axis::log("deviation over the mean", -5, 3, 1),
         series: series(methods, methods.iter().map(line).collect()),
         legend: None,
     }
