@@ -177,7 +177,7 @@ pub fn receiver_lobe(receiver: Receiver) -> Asg {
 /// Radiance of a receiver out of a virtual light, by the lobes of both.
 ///
 /// Four products: of the diffuse lobes exactly over the light's cone, the others by [`vsgl_pair_radiance_diffuse`] and
-/// [`vsgl_pair_radiance`].
+/// [`vsgl_pair_radiance`]. The peaks of glossy lobes, [`microfacet_reflectance`], have their cosine in them.
 /// Source: [Tokuyoshi15] eq. 3, with two lobes each.
 ///
 /// | argument | meaning | domain | unit |
@@ -191,9 +191,10 @@ pub fn receiver_lobe(receiver: Receiver) -> Asg {
 pub fn vsgl_light_parts(receiver: Receiver, lobe: Asg, light: VirtualLight) -> BounceSample {
     let between = apart(light.position, receiver.position);
     let dir = between.dir;
-    let cosines = max(dot(receiver.normal, dir), 0.0) * max(-dot(light.normal, dir), 0.0);
+    let towards = max(dot(receiver.normal, dir), 0.0);
+    let away = max(-dot(light.normal, dir), 0.0);
     let mut parts = bounce_nothing();
-    if cosines > 0.0 {
+    if towards * away > 0.0 {
         let dist = between.dist;
         let radius = light.radius;
         let sent = Sg { axis: -light.axis, sharpness: light.sharpness, log_amplitude: 0.0 };
@@ -201,10 +202,10 @@ pub fn vsgl_light_parts(receiver: Receiver, lobe: Asg, light: VirtualLight) -> B
         let albedo = lambert_brdf(receiver.material.diffuse_albedo);
         let own = receiver.material;
         let peak = microfacet_reflectance(own.f0, own.f90, own.alpha, receiver.normal, dir, receiver.view);
-        let constant = cosines * vsl_cone(dist, radius).density;
-        let of_sent = vsgl_pair_radiance_diffuse(sent, dir, dist, radius, cosines);
-        let by_lobe = vsgl_pair_radiance(lobe, all, dir, dist, radius, cosines);
-        let by_both = vsgl_pair_radiance(lobe, sent, dir, dist, radius, cosines);
+        let constant = towards * away * vsl_cone(dist, radius).density;
+        let of_sent = vsgl_pair_radiance_diffuse(sent, dir, dist, radius, towards);
+        let by_lobe = vsgl_pair_radiance(lobe, all, dir, dist, radius, away);
+        let by_both = vsgl_pair_radiance(lobe, sent, dir, dist, radius, 1.0);
         parts = BounceSample {
             diffuse_of_diffuse: constant * (albedo * light.diffuse),
             diffuse_of_glossy: of_sent * (albedo * light.specular),

@@ -77,9 +77,8 @@ pub fn whole_glossy(receiver: Receiver, light: Vsgl) -> Vec3 {
     let lobe = sg_ndf_warp(receiver.normal, receiver.view, own.alpha);
     let axis = vsgl_specular_axis(vsgl_incoming(light, receiver.position), lobe);
     let peak = microfacet_reflectance(own.f0, own.f90, own.alpha, receiver.normal, axis, receiver.view);
-    let factor = max(dot(receiver.normal, axis), 0.0) * peak;
-    let unit = vsgl_specular(light, receiver.position, receiver.normal, receiver.view, own.alpha, 1.0);
-    unit * factor
+    // The cosine is in the peak.
+    vsgl_specular(light, receiver.position, receiver.normal, receiver.view, own.alpha, 1.0) * peak
 }
 
 /// A pass that adds both lights to pixels, a diffuse lobe's by `$diffuse`.

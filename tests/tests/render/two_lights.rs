@@ -22,6 +22,10 @@ use lobe_kernels::vsgl::{Vsgl, vsgl_diffuse, vsgl_diffuse_paper};
 /// Texels along a side.
 const SIDE: u32 = 256;
 
+/// By how much the disk does not face the surface, in degrees, if nothing else is said: a sharpness of 2 for a cosine is 1.9 % too
+/// bright along the normal, and 2.7 % too dark here.
+const TILT: f32 = 17.548;
+
 /// A disk at distance 1 above the origin, where a surface looks up; its texels reflect as a cosine.
 #[derive(Clone, Copy, Debug)]
 struct Case {
@@ -180,39 +184,44 @@ fn ratios(case: Case) -> [f64; 6] {
     ]
 }
 
-const fn facing(radius: f32) -> Case {
-    Case { radius, receiver: 0.0, emitter: 0.0 }
+const fn usual(radius: f32) -> Case {
+    Case { radius, receiver: 0.0, emitter: TILT }
 }
 
-/// The table of tests/SCENES.md.
+/// Ratios of the diffuse light by the hemispherical integral, with the variance as printed and with half of it.
 #[test]
 fn two_lights_are_the_sum_of_65536_points() {
     let table = [
-        (facing(0.01), [0.0; 6]),
-        (facing(0.1), [0.0; 6]),
-        (facing(0.3), [0.0; 6]),
-        (facing(1.0), [0.0; 6]),
-        (facing(3.0), [0.0; 6]),
-        (Case { receiver: 60.0, ..facing(0.1) }, [0.0; 6]),
-        (Case { receiver: 85.0, ..facing(0.3) }, [0.0; 6]),
-        (Case { emitter: 60.0, ..facing(0.3) }, [0.0; 6]),
+        (usual(0.01), [0.973, 0.973]),
+        (usual(0.1), [0.968, 0.975]),
+        (usual(0.3), [0.930, 0.985]),
+        (usual(1.0), [0.731, 1.067]),
+        (usual(3.0), [0.607, 1.152]),
+        (Case { emitter: 60.0, ..usual(0.3) }, [0.698, 0.709]),
     ];
-    let found: Vec<(Case, [f64; 6], [f64; 6])> =
-        table.into_iter().map(|(case, wanted)| (case, ratios(case), wanted)).collect();
-    for (case, ratios, _) in &found {
-        eprintln!("{case:?} {ratios:.3?}");
-    }
-    for (case, ratios, wanted) in found {
-        for (ratio, wanted) in ratios.iter().zip(wanted) {
-            assert!((ratio - wanted).abs() < 2e-3, "{case:?}: {ratios:.3?} instead of {wanted:?}");
+    for (case, wanted) in table {
+        let found = ratios(case);
+        eprintln!("{case:?} {found:.3?}");
+        for (ratio, wanted) in [found[1], found[4]].iter().zip(wanted) {
+            assert!((ratio - wanted).abs() < 3e-3, "{case:?}: {found:.3?} instead of {wanted:?}");
         }
+    }
+}
+
+/// A small light's lobe is met where it is looked at: the cosines count once.
+#[test]
+fn glossy_light_of_a_small_disk_is_that_of_its_points() {
+    for receiver in [0.0, 30.0, 60.0] {
+        let found = ratios(Case { receiver, ..usual(0.03) });
+        eprintln!("{receiver} {found:.3?}");
+        assert!((0.93..1.07).contains(&found[5]), "{receiver} degrees: {found:.3?}");
     }
 }
 
 #[test]
 fn half_the_printed_variance_is_the_right_one() {
     for radius in [0.01, 0.1, 0.3] {
-        let [_, printed, _, _, ours, _] = ratios(facing(radius));
+        let [_, printed, _, _, ours, _] = ratios(usual(radius));
         assert!((0.95..1.05).contains(&ours), "radius {radius}: {ours}");
         assert!(radius < 0.3 || printed < 0.95, "radius {radius}: {printed}");
     }
