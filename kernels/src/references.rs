@@ -30,6 +30,8 @@ references! {
     /// M. Hašan, J. Křivánek, B. Walter, K. Bala, Virtual Spherical Lights for Many-Light Rendering of Glossy
     /// Scenes, ACM Transactions on Graphics 28 (5), 2009.
     Hasan09;
+    /// W. Heidrich, H.-P. Seidel, View-Independent Environment Maps, Workshop on Graphics Hardware, 1998.
+    HeidrichSeidel98;
     /// E. Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, Journal of Computer
     /// Graphics Techniques 3 (2), 2014.
     Heitz14;
@@ -65,9 +67,14 @@ references! {
     Pharr23;
     /// Rectangle-based Approximation for Rendering Glossy Interreflections.
     RectGlossy;
+    /// T. Ritschel, T. Grosch, M. H. Kim, H.-P. Seidel, C. Dachsbacher, J. Kautz, Imperfect Shadow Maps for Efficient
+    /// Computation of Indirect Illumination, ACM Transactions on Graphics 27 (5), 2008.
+    Ritschel08;
     /// T. Ritschel, E. Eisemann, I. Ha, J. D. K. Kim, H.-P. Seidel, Making Imperfect Shadow Maps View-Adaptive:
     /// High-Quality Global Illumination in Large Dynamic Scenes, Computer Graphics Forum 30 (8), 2011.
     Ritschel11;
+    /// M. Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018.
+    Roberts18;
     /// P. Shirley, K. Chiu, A Low Distortion Map Between Disk and Square, Journal of Graphics Tools 2 (3), 1997.
     ShirleyChiu97;
     /// C. Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, Computer Graphics Forum 13 (3), 1994.

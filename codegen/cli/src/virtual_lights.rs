@@ -1,6 +1,6 @@
 //! Options of the methods of virtual lights.
 
-use lobe_tests::render::{Density, Reading, VirtualLights};
+use lobe_tests::render::{Density, Reading, VirtualLights, Visibility};
 
 /// Options of virtual lights.
 #[derive(Debug, clap::Args)]
@@ -30,9 +30,18 @@ pub(crate) struct VirtualArgs {
     /// Sharpness over its cone up to which a light's reflection is evaluated and not approximated; 0 for never
     #[arg(long, value_name = "ALPHA", default_value_t = 0.001, value_parser = |text: &str| within(text, 0.0, 1.0))]
     bias: f32,
-    /// What hides virtual lights from pixels: none or exact
-    #[arg(long, value_name = "HOW", default_value = "none", value_parser = ["none", "exact"])]
-    visibility: String,
+    /// What hides virtual lights from pixels: none, exact or imperfect
+    #[arg(long, value_name = "HOW", default_value_t = Visibility::None)]
+    visibility: Visibility,
+    /// Points of a light's imperfect shadow map, on the average
+    #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    shadow_points: u32,
+    /// Texels along a side of one: a power of 2 up to 128
+    #[arg(long, value_name = "SIDE", default_value_t = 64, value_parser = power_of_two)]
+    shadow_map: u32,
+    /// Share of the points of which lights have as many each; the others go by what lights send
+    #[arg(long, value_name = "SHARE", default_value_t = 0.1, value_parser = |text: &str| within(text, 0.0, 1.0))]
+    shadow_floor: f32,
     /// Least distance of virtual point lights, in m
     #[arg(long, value_name = "M", default_value_t = 0.0, value_parser = |text: &str| within(text, 0.0, 1e4))]
     clamp: f32,
@@ -59,7 +68,10 @@ impl VirtualArgs {
             smoothing: self.k,
             filters_lobes: !self.raw_lobes,
             bias: self.bias,
-            is_shadowed: self.visibility == "exact",
+            visibility: self.visibility,
+            shadow_points: self.shadow_points,
+            shadow_map: self.shadow_map,
+            shadow_floor: self.shadow_floor,
             least_distance: self.clamp,
             directions: self.directions,
             frames: self.frames,
@@ -72,4 +84,9 @@ impl VirtualArgs {
 fn within(text: &str, low: f32, high: f32) -> Result<f32, String> {
     let value = text.parse().ok().filter(|value| (low..=high).contains(value));
     value.ok_or_else(|| format!("`{text}` is no number from {low} to {high}"))
+}
+
+fn power_of_two(text: &str) -> Result<u32, String> {
+    let value = text.parse().ok().filter(|value: &u32| value.is_power_of_two() && *value <= 128);
+    value.ok_or_else(|| format!("`{text}` is no power of 2 from 1 to 128; take 32 or 64"))
 }

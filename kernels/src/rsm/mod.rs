@@ -14,6 +14,7 @@
 //! | [`light`] | a virtual light, and what it sends by way of a surface |
 //! | [`shade`] | all virtual lights on each pixel |
 //! | [`shadow`] | rays between pixels and virtual lights |
+//! | [`imperfect`] | small maps of what hides each virtual light |
 //! | [`wide`] | virtual lights whose lobes are GGX |
 //! | [`two`] | the whole map as two lights |
 //!
@@ -27,6 +28,7 @@ pub mod chain;
 pub mod curve;
 pub mod density;
 pub mod draw;
+pub mod imperfect;
 pub mod light;
 pub mod mean;
 pub mod point;

@@ -1,4 +1,4 @@
-//! Sums of all texels before each, along [`crate::rsm::curve`]: within blocks, and of blocks.
+//! Sums of all that comes before each: within blocks, and of blocks.
 
 #[allow(unused_imports, reason = "citations link to them")]
 use crate::references::HillisSteele86;
@@ -69,8 +69,18 @@ macro_rules! scan_pass {
 }
 
 scan_pass!(
-    /// Sums of the estimates of each block of the curve up to each: a pass of 64 invocations a block.
+    /// Sums of the estimates of each block up to each: a pass of 64 invocations a block.
     scan_pass,
+    estimates,
+    sums,
+    block_totals,
+    [],
+    |at| estimates[at as usize]
+);
+
+scan_pass!(
+    /// The same along [`crate::rsm::curve`]: of the estimates of a map's texels.
+    scan_curve_pass,
     estimates,
     sums,
     block_totals,

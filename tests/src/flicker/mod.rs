@@ -13,7 +13,7 @@ pub use plot::plot;
 pub use turn::{Turn, turned};
 
 use crate::proxies::Proxies;
-use crate::render::{Method, Picture, Renderer, Settings};
+use crate::render::{Method, Picture, Renderer, Settings, Visibility};
 use crate::scene::Scene;
 use lobe_backends::executor::ExecError;
 use lobe_backends::pipeline::Dispatcher;
@@ -144,7 +144,11 @@ fn film<'p>(
 /// Luminance of the light of one bounce.
 fn indirect(picture: &Picture, settings: &Settings) -> Vec<f64> {
     let of = |colour: Vec3| f64::from(luminance(colour));
-    let layer = if settings.virtual_lights.is_shadowed { "indirect_total_vis" } else { "indirect_total_la" };
+    let layer = if settings.virtual_lights.visibility != Visibility::None {
+        "indirect_total_vis"
+    } else {
+        "indirect_total_la"
+    };
     if let Some(pixels) = picture.layer(layer) {
         return pixels.iter().map(|pixel| of(*pixel)).collect();
     }

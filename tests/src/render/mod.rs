@@ -25,7 +25,7 @@ pub use judged::{Judged, PassVerdict, summary};
 pub use method::Method;
 pub use picture::{Layer, Picture};
 pub use upload::Uploaded;
-pub use virtual_lights::{Density, Reading, Survey, VirtualLights};
+pub use virtual_lights::{Density, Reading, Survey, VirtualLights, Visibility};
 
 use crate::proxies::Proxies;
 use crate::scene::{Scene, texel_values};

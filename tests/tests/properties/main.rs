@@ -6,6 +6,7 @@ mod asg;
 mod brdf;
 mod filter;
 mod gltf;
+mod imperfect;
 mod meshes;
 mod rect;
 mod reference;

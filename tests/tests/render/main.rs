@@ -6,6 +6,7 @@ mod bvh;
 mod common;
 mod field;
 mod field_tree;
+mod imperfect;
 mod passes;
 mod reference;
 mod reflectors;

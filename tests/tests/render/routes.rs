@@ -5,7 +5,7 @@ use lobe_backends::pipeline::{Dispatcher, Interpreted, Memory, Pass};
 use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, State};
 use lobe_tests::proxies::{self, Options};
-use lobe_tests::render::{Density, Judged, Method, Renderer, Settings, VirtualLights, summary};
+use lobe_tests::render::{Density, Judged, Method, Renderer, Settings, VirtualLights, Visibility, summary};
 
 fn check(name: &str, settings: &Settings, size: [u32; 2]) {
     let machine = Machine::look();
@@ -51,7 +51,7 @@ fn virtual_lights_on_every_route() {
         map: 9,
         directions: 2,
         bias: 0.05,
-        is_shadowed: true,
+        visibility: Visibility::Exact,
         ..VirtualLights::default()
     };
     for method in [Method::Vsgl, Method::Vsgl2, Method::VslWide] {
@@ -61,7 +61,7 @@ fn virtual_lights_on_every_route() {
             [3, 3],
         );
     }
-    let by_points = VirtualLights { density: Density::Vpl, is_shadowed: false, ..lights };
+    let by_points = VirtualLights { density: Density::Vpl, visibility: Visibility::None, ..lights };
     for method in [Method::Vpl, Method::Vsl] {
         check(
             "caustic_a010.json",
@@ -69,6 +69,20 @@ fn virtual_lights_on_every_route() {
             [3, 3],
         );
     }
+}
+
+#[test]
+fn imperfect_shadows_on_every_route() {
+    let lights = VirtualLights {
+        count: 5,
+        map: 9,
+        visibility: Visibility::Imperfect,
+        shadow_points: 12,
+        shadow_map: 8,
+        ..VirtualLights::default()
+    };
+    let settings = Settings { method: Method::VslWide, virtual_lights: lights, ..Settings::default() };
+    check("cornell_L1.json", &settings, [3, 3]);
 }
 
 #[test]

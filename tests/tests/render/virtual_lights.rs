@@ -2,7 +2,7 @@
 
 use lobe_codegen::glam::Vec3;
 use lobe_tests::metrics::{Image, Pair, radiometry};
-use lobe_tests::render::{Density, Method, Picture, Settings, VirtualLights};
+use lobe_tests::render::{Density, Method, Picture, Settings, VirtualLights, Visibility};
 use lobe_tests::scene::{Light, Scene};
 
 const SIZE: u32 = 32;
@@ -50,7 +50,7 @@ fn point_lights_are_the_light_of_one_bounce() {
 fn shadows_of_point_lights_are_those_of_the_reference() {
     let scene = scene("cornell_L1.json");
     let truth = truth(&scene, 1024);
-    let lights = VirtualLights { count: 4096, is_shadowed: true, ..VirtualLights::default() };
+    let lights = VirtualLights { count: 4096, visibility: Visibility::Exact, ..VirtualLights::default() };
     let found = crate::picture_by(&scene, &settings(Method::Vpl, lights));
     let (mean_ratio, _) = compared(&found, &truth, "indirect_diffuse_vis");
     assert!((mean_ratio - 1.0).abs() < 0.06, "{mean_ratio}");
@@ -125,6 +125,19 @@ fn spoilt() -> Vec<(&'static str, Scene)> {
     ]
 }
 
+/// Lights with shadows of both kinds, by few points and by many.
+fn shadowed(lights: VirtualLights) -> Vec<VirtualLights> {
+    let imperfect = |shadow_points, shadow_map, shadow_floor| VirtualLights {
+        visibility: Visibility::Imperfect,
+        shadow_points,
+        shadow_map,
+        shadow_floor,
+        ..lights
+    };
+    let exact = VirtualLights { visibility: Visibility::Exact, ..lights };
+    vec![exact, imperfect(1, 1, 0.0), imperfect(3, 16, 1.0), imperfect(30, 8, 0.25)]
+}
+
 #[test]
 fn whatever_is_left_gives_a_picture() {
     let methods =
@@ -132,10 +145,11 @@ fn whatever_is_left_gives_a_picture() {
     for (what, scene) in spoilt() {
         for method in methods {
             for (count, map, smoothing) in [(1, 1, 4.0), (7, 5, 0.01), (64, 16, 100.0), (64, 33, 0.0)] {
-                let lights =
-                    VirtualLights { count, map, smoothing, is_shadowed: true, ..VirtualLights::default() };
-                let picture = crate::picture_by(&scene, &settings(method, lights));
-                assert!(picture.is_sound(), "{what}, {method}, {count} of {map}");
+                let lights = VirtualLights { count, map, smoothing, ..VirtualLights::default() };
+                for lights in shadowed(lights) {
+                    let picture = crate::picture_by(&scene, &settings(method, lights));
+                    assert!(picture.is_sound(), "{what}, {method}, {lights:?}");
+                }
             }
         }
     }

@@ -1,10 +1,11 @@
 //! Light of one bounce by virtual lights out of reflective shadow maps.
 
+mod imperfect;
 mod map;
 mod settings;
 mod survey;
 
-pub use settings::{Density, Reading, VirtualLights};
+pub use settings::{Density, Reading, VirtualLights, Visibility};
 pub use survey::Survey;
 
 use super::{Frame, Layer, Method, Picture, Uploaded};
@@ -72,6 +73,9 @@ impl Frame<'_, '_> {
         self.room("visible", 1)?;
         if !matches!(self.settings.method, Method::Vsgl2 | Method::Vsgl2Paper) {
             self.camera_lights(mapped)?;
+            if self.settings.virtual_lights.visibility == Visibility::Imperfect {
+                self.blockers()?;
+            }
         }
         for frame in 0..frames {
             for (at, light) in (0_u32..).zip(&mapped.lights) {
@@ -80,7 +84,8 @@ impl Frame<'_, '_> {
                     Method::Vsgl2 | Method::Vsgl2Paper => self.two_lights(origin)?,
                     _ => {
                         let count = self.draw(origin, mapped.lights.len() as u32, frame)?;
-                        self.shine(count)?;
+                        // Each picture and light begins elsewhere in the set of points.
+                        self.shine(count, (random_pair(frame, at, 10).x * 16_777_216.0) as u32)?;
                     }
                 }
                 progress((frame as f32 + (at + 1) as f32 / mapped.lights.len() as f32) / frames as f32);
@@ -170,6 +175,18 @@ impl Frame<'_, '_> {
         self.dispatch(if by_points { "density_point_pass" } else { "density_pass" }, texels)
     }
 
+    /// Sums of the estimates up to each of `count` places, in the order of a pass, and of their blocks.
+    fn sums_of_estimates(&mut self, pass: &str, count: u32) -> Result<(), ExecError> {
+        let blocks = count.div_ceil(SCAN_BLOCK);
+        for (buffer, count) in
+            [("sums", count), ("block_totals", blocks), ("block_sums", blocks), ("all_totals", 1)]
+        {
+            self.room(buffer, count)?;
+        }
+        self.dispatch(pass, 64 * blocks)?;
+        self.dispatch("scan_block_pass", 64)
+    }
+
     /// Lights drawn out of a light's map; returns how many.
     fn draw(&mut self, origin: Vec3, lights: u32, frame: u32) -> Result<u32, ExecError> {
         let settings = self.settings.virtual_lights;
@@ -177,15 +194,7 @@ impl Frame<'_, '_> {
         self.chain(&levels, origin, OF_BOTH)?;
         self.weigh()?;
         // The curve fills a square of a power of two.
-        let steps = settings.map.next_power_of_two().pow(2);
-        let blocks = steps.div_ceil(SCAN_BLOCK);
-        for (buffer, count) in
-            [("sums", steps), ("block_totals", blocks), ("block_sums", blocks), ("all_totals", 1)]
-        {
-            self.room(buffer, count)?;
-        }
-        self.dispatch("scan_pass", 64 * blocks)?;
-        self.dispatch("scan_block_pass", 64)?;
+        self.sums_of_estimates("scan_curve_pass", settings.map.next_power_of_two().pow(2))?;
         let count = settings.count.div_ceil(lights.max(1)).max(1);
         // A square as much smaller as its radius.
         let smoothing = settings.smoothing * settings.shrink.powi(2 * frame.min(1000) as i32);
@@ -213,32 +222,47 @@ impl Frame<'_, '_> {
         Ok(count)
     }
 
-    /// Adds the lights that were drawn to the pixels.
-    fn shine(&mut self, count: u32) -> Result<(), ExecError> {
+    /// Adds the lights that were drawn to the pixels; runs of points begin at `shift`.
+    fn shine(&mut self, count: u32, shift: u32) -> Result<(), ExecError> {
         let settings = self.settings.virtual_lights;
         let pixels = self.pixels();
         let pass = shading(self.settings.method, &settings);
-        let most = if settings.is_shadowed { (TURN_RAYS / pixels).clamp(1, TURN) } else { TURN };
+        let is_shadowed = settings.visibility != Visibility::None;
+        let most = match settings.visibility {
+            Visibility::None => TURN,
+            Visibility::Exact => (TURN_RAYS / pixels).clamp(1, TURN),
+            Visibility::Imperfect => {
+                self.point_runs(count)?;
+                (TURN_RAYS / pixels).clamp(1, TURN).min(imperfect::maps_of_turn(settings.shadow_map))
+            }
+        };
         for first in (0..count).step_by(most as usize) {
             let turn = LightTurn {
                 first,
                 count: most.min(count - first),
-                is_shadowed: u32::from(settings.is_shadowed),
+                is_shadowed: u32::from(is_shadowed),
                 directions: settings.directions,
                 least: settings.least_distance,
                 threshold: settings.bias,
             };
             self.memory.put("lights_turn", self.pipeline.pack("lights_turn", &[turn])?);
-            if settings.is_shadowed {
-                let rays = pixels * turn.count;
-                self.room("shadow_rays", rays)?;
-                self.room("visible", rays)?;
-                self.dispatch("virtual_ray_pass", rays)?;
-                self.dispatch("shadow_pass", rays)?;
+            match settings.visibility {
+                Visibility::None => {}
+                Visibility::Exact => self.exact_shadows(turn)?,
+                Visibility::Imperfect => self.imperfect_shadows(turn, count, shift)?,
             }
             self.dispatch(pass, pixels)?;
         }
         Ok(())
+    }
+
+    /// What of a turn's lights each pixel sees, by rays.
+    fn exact_shadows(&mut self, turn: LightTurn) -> Result<(), ExecError> {
+        let rays = self.pixels() * turn.count;
+        self.room("shadow_rays", rays)?;
+        self.room("visible", rays)?;
+        self.dispatch("virtual_ray_pass", rays)?;
+        self.dispatch("shadow_pass", rays)
     }
 
     /// The two lights of a light's map.
@@ -264,7 +288,7 @@ impl Frame<'_, '_> {
         let settings = &self.settings.virtual_lights;
         let found: Vec<VirtualPixel> =
             self.pipeline.unpack("virtual_pixels", self.memory.bytes("virtual_pixels"))?;
-        let suffix = if settings.is_shadowed { "vis" } else { "la" };
+        let suffix = if settings.visibility == Visibility::None { "la" } else { "vis" };
         let share = 1.0 / settings.frames.max(1) as f32;
         let mut add = |name: &str, of: &dyn Fn(&VirtualPixel) -> Vec3| {
             let pixels = found.iter().map(|pixel| share * of(pixel)).collect();

@@ -45,6 +45,49 @@ impl std::str::FromStr for Density {
     }
 }
 
+/// What hides virtual lights from pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Visibility {
+    /// Nothing.
+    None,
+    /// Whatever a ray meets.
+    Exact,
+    /// What imperfect shadow maps show.
+    Imperfect,
+}
+
+impl Visibility {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 3] = [Self::None, Self::Exact, Self::Imperfect];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Exact => "exact",
+            Self::Imperfect => "imperfect",
+        }
+    }
+}
+
+impl std::fmt::Display for Visibility {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for Visibility {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|visibility| visibility.name() == text);
+        found.ok_or_else(|| {
+            format!("`{text}` is no visibility; there are {}", Self::ALL.map(Self::name).join(", "))
+        })
+    }
+}
+
 /// What a virtual light is read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
@@ -106,8 +149,14 @@ pub struct VirtualLights {
     pub filters_lobes: bool,
     /// Up to which sharpness over its cone a light counts as smooth; 0 for never.
     pub bias: f32,
-    /// Whether what stands between a pixel and a light hides it.
-    pub is_shadowed: bool,
+    /// What hides a light from a pixel.
+    pub visibility: Visibility,
+    /// Points of an imperfect shadow map, on the average.
+    pub shadow_points: u32,
+    /// Texels along a side of one; counts as the next power of 2 up to 128.
+    pub shadow_map: u32,
+    /// Share of the points of which lights have as many each; the rest goes by what they send.
+    pub shadow_floor: f32,
     /// Least distance of point lights, in m.
     pub least_distance: f32,
     /// Directions for each spherical light.
@@ -151,7 +200,10 @@ impl Default for VirtualLights {
             smoothing: 4.0,
             filters_lobes: true,
             bias: 0.001,
-            is_shadowed: false,
+            visibility: Visibility::None,
+            shadow_points: 1024,
+            shadow_map: 64,
+            shadow_floor: 0.1,
             least_distance: 0.0,
             directions: 16,
             frames: 1,
