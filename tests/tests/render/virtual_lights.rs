@@ -2,7 +2,7 @@
 
 use lobe_codegen::glam::Vec3;
 use lobe_tests::metrics::{Image, Pair, radiometry};
-use lobe_tests::render::{Density, Method, Picture, Settings, VirtualLights, Visibility};
+use lobe_tests::render::{Density, Method, Picture, Reading, Settings, VirtualLights, Visibility};
 use lobe_tests::scene::{Light, Scene};
 
 const SIZE: u32 = 32;
@@ -160,7 +160,8 @@ fn many_pictures_are_closer_than_one() {
     let scene = scene("caustic_a005.json");
     let truth = truth(&scene, 2048);
     let of = |frames| {
-        let lights = VirtualLights { count: 256, frames, shrink: 0.9, ..VirtualLights::default() };
+        let reading = Some(Reading::Square);
+        let lights = VirtualLights { count: 256, frames, shrink: 0.9, reading, ..VirtualLights::default() };
         compared(&crate::picture_by(&scene, &settings(Method::VslWide, lights)), &truth, "indirect_total_la")
             .1
     };
