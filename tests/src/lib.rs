@@ -47,6 +47,7 @@ pub mod export;
 pub mod figures;
 pub mod files;
 pub mod flicker;
+pub mod golden;
 pub mod judge;
 pub mod measure;
 pub mod metrics;

@@ -4,10 +4,12 @@ use lobe_backends::executor::ExecError;
 use lobe_backends::routes::OpenError;
 use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
+use lobe_golden::StoreError;
 use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
 use lobe_tests::figures::sheets::SheetError;
+use lobe_tests::golden::CasesError;
 use lobe_tests::judge::JudgeError;
 use lobe_tests::metrics::ReadError;
 use lobe_tests::oracle::{MappingError, TableError};
@@ -98,6 +100,10 @@ pub(crate) enum Fail {
     Picture(#[from] FileError),
     #[error(transparent)]
     Sheet(#[from] SheetError),
+    #[error(transparent)]
+    Golden(#[from] StoreError),
+    #[error(transparent)]
+    GoldenCases(#[from] CasesError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
 }
@@ -119,6 +125,9 @@ impl Fail {
     fn code(&self) -> u8 {
         match self {
             Self::Stdout(_) if self.is_closed_pipe() => 0,
+            Self::Golden(
+                StoreError::Incomplete { .. } | StoreError::Image { .. } | StoreError::Record { .. },
+            ) => 1,
             Self::UnknownKernel { .. }
             | Self::Usage(_)
             | Self::Row { .. }
@@ -129,6 +138,8 @@ impl Fail {
             | Self::Merge(_)
             | Self::Proxies(_)
             | Self::PictureFile(_)
+            | Self::Golden(_)
+            | Self::GoldenCases(_)
             | Self::Export(
                 ExportError::NothingKnown { .. }
                 | ExportError::PartlyKnown { .. }

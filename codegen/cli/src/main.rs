@@ -14,6 +14,7 @@ mod export;
 mod fail;
 mod figures;
 mod flicker;
+mod golden;
 mod list;
 mod measure;
 mod merge;
@@ -76,6 +77,8 @@ enum Command {
     Render(render::Args),
     /// Say how far a picture is from another: mean, error, FLIP
     Compare(compare::Args),
+    /// Judge golden images on every route; accept and reject what is new
+    Golden(golden::Args),
     /// Draw the figures of the papers from the kernels
     Figures(figures::Args),
     /// Measure how much virtual lights flicker while the light turns
@@ -115,6 +118,7 @@ fn execute(command: &Command) -> Result<Outcome, Fail> {
         Command::Proxies(args) => proxies::run(args),
         Command::Render(args) => render::run(args),
         Command::Compare(args) => compare::run(args),
+        Command::Golden(args) => golden::run(args),
         Command::Figures(args) => figures::run(args),
         Command::Flicker(args) => flicker::run(args),
         Command::Bench(args) => bench::run(args),

@@ -5,7 +5,8 @@ use crate::judge::JudgeError;
 use crate::subject::Subject;
 use lobe_backends::executor::Program;
 use lobe_backends::routes::Machine;
-use lobe_codegen::emit::{Options, Target, emit};
+use lobe_codegen::ValidModule;
+use lobe_codegen::emit::{EmitError, Options, Target, emit};
 use std::fmt::Write;
 
 /// The fingerprint of a kernel: of its WGSL without comments, its domain and its budgets.
@@ -16,22 +17,26 @@ use std::fmt::Write;
 /// When the domain or a budget does not stand.
 pub fn definition(subject: &Subject) -> Result<u64, JudgeError> {
     let def = subject.def();
-    let mut text = source(subject.program());
+    let mut text = source_of(subject.program());
     let _ = writeln!(text, "{:?}", slots(def)?);
     for budget in def.contract.budget {
-        let _ = writeln!(text, "{} {}", budget.path, source(&Program::new(budget.function)?));
+        let _ = writeln!(text, "{} {}", budget.path, source_of(&Program::new(budget.function)?));
     }
     let _ = writeln!(text, "{}", def.contract.truth.is_some());
     Ok(fnv(&text))
 }
 
-fn source(program: &Program) -> String {
+fn source_of(program: &Program) -> String {
+    source(program.module()).unwrap_or_else(|error| format!("{error} {:?}", program.def().source))
+}
+
+/// The module as WGSL without comments: what it computes, and nothing else.
+///
+/// # Errors
+/// When it is not portable: a budget need not be, a kernel is, as other tests say.
+pub(crate) fn source(module: &ValidModule) -> Result<String, EmitError> {
     let options = Options { docs: false, header: false, ..Options::default() };
-    match emit(program.module(), Target::Wgsl, &options) {
-        Ok(artifact) => artifact.content.text().unwrap_or_default().to_owned(),
-        // A budget need not be portable; a kernel is, as other tests say.
-        Err(error) => format!("{error} {:?}", program.def().source),
-    }
+    Ok(emit(module, Target::Wgsl, &options)?.content.text().unwrap_or_default().to_owned())
 }
 
 /// FNV-1a: it is the same on every machine, and nobody is to be kept from forging it.
@@ -42,7 +47,7 @@ fn fnv(text: &str) -> u64 {
 
 /// What decides the results of a driver: it and its version, the device, the translator; and the processor,
 /// where that is the device.
-pub(super) fn driver(machine: &Machine, name: &str) -> String {
+pub(crate) fn driver(machine: &Machine, name: &str) -> String {
     let Some(driver) = machine.drivers().iter().find(|d| d.name == name) else { return "unknown".to_owned() };
     let mut text = format!("{}, {}", driver.adapter_name, driver.driver_info);
     if driver.is_software {

@@ -13,6 +13,7 @@ pub mod source;
 mod worst;
 
 pub use fingerprint::definition;
+pub(crate) use fingerprint::{driver, source};
 pub use worst::{At, Figure};
 
 use crate::cases::Cases;
@@ -97,7 +98,7 @@ fn drivers(figures: &[(Route, Figure)], machine: &Machine) -> Vec<(String, Strin
     let mut found: Vec<(String, String)> = Vec::new();
     for name in figures.iter().filter_map(|(route, _)| route.driver()) {
         if found.iter().all(|(known, _)| known != name) {
-            found.push((name.to_owned(), fingerprint::driver(machine, name)));
+            found.push((name.to_owned(), driver(machine, name)));
         }
     }
     found

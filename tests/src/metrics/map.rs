@@ -1,7 +1,7 @@
 //! A number for each pixel, pooled, and as a picture to look at.
 
 use crate::render::{FileError, png_of};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A number in 0 ..= 1 for each pixel, row by row from the top.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,7 +13,7 @@ pub struct Map {
 }
 
 /// What a map comes to.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pooled {
     /// The mean of all pixels.
     pub mean: f64,

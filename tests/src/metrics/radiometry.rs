@@ -3,7 +3,7 @@
 use super::Pair;
 use lobe_codegen::glam::{DVec3, Vec3};
 use lobe_kernels::reference::running_mean::luminance;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Differences of linear values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -17,7 +17,7 @@ pub struct Radiometry {
 }
 
 /// The pixel with the largest difference, by its length in linear RGB; the first of several.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Worst {
     /// Column, from the left.
     pub x: u32,

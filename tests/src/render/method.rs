@@ -1,5 +1,6 @@
 //! The methods of rendering, by name.
 
+use super::VirtualLights;
 use super::shadowed::Shadows;
 
 /// How the light of one bounce is found.
@@ -109,6 +110,17 @@ impl Method {
             Self::Direct | Self::Reference => None,
             Self::Vpl | Self::Vsl | Self::VslWide | Self::Vsgl | Self::Vsgl2 | Self::Vsgl2Paper => None,
         }
+    }
+
+    /// The passes whose results pixels are the sum of: direct light, and that of one bounce, if the method finds it in one.
+    /// [`Method::Reference`] and shadows take many turns.
+    #[must_use]
+    pub fn last_passes(self, settings: &VirtualLights) -> Vec<&'static str> {
+        let bounce = match self.rect_pass() {
+            None if self.has_virtual_lights() => Some(super::virtual_lights::shading(self, settings)),
+            pass => pass,
+        };
+        std::iter::once("direct_pass").chain(bounce).collect()
     }
 
     /// Whether it takes virtual lights out of reflective shadow maps.

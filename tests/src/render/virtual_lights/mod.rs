@@ -30,7 +30,7 @@ const TURN_RAYS: u32 = 1 << 20;
 const TURN: u32 = 1024;
 
 /// The passes that a method of virtual lights adds to pixels by.
-fn shading(method: Method, settings: &VirtualLights) -> &'static str {
+pub(super) fn shading(method: Method, settings: &VirtualLights) -> &'static str {
     match method {
         Method::Vsl => "vsl_pass",
         Method::VslWide => "vsl_wide_pass",
