@@ -14,7 +14,7 @@ export LOBE_REQUIRE_TOOLS=1
 export INSTA_UPDATE=no
 [[ -t 1 ]] || export CARGO_TERM_COLOR=never CARGO_TERM_PROGRESS_WHEN=never
 
-all=(setup format lint test outside doc check mutate oracle measure throughput)
+all=(setup format lint test outside doc check mutate oracle golden measure throughput)
 wanted=("$@")
 [[ $# -gt 0 ]] || wanted=("${all[@]}")
 
@@ -56,6 +56,8 @@ step_check() {
 step_mutate() { lobe mutate --equivalence 200000; }
 # The tables that came with the kernels, on every route.
 step_oracle() { lobe oracle tests/cases/oracle; }
+# The pictures that were accepted, on every route; nothing is written.
+step_golden() { lobe golden check --no-write --require "spirv@lavapipe" --require "spirv@swiftshader"; }
 # The figures in the documentation are those of today.
 step_measure() { lobe measure --check; }
 # The interpreter keeps half of its goals against lavapipe: no more can be asked of a machine that does other things too.

@@ -47,6 +47,16 @@ impl Program {
         Self { accuracy, ..self }
     }
 
+    /// The same kernel with another module in the place of its own, for tests of what notices a change.
+    ///
+    /// # Errors
+    /// When it holds no function of the kernel's name.
+    #[doc(hidden)]
+    pub fn with_module(self, module: ValidModule) -> Result<Self, ExecError> {
+        let handle = module.function(self.def.name).ok_or(ExecError::Lost { kernel: self.def.name })?;
+        Ok(Self { module, handle, artifacts: Default::default(), ..self })
+    }
+
     /// The definition.
     #[must_use]
     pub fn def(&self) -> &'static FunctionDef {

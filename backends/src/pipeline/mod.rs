@@ -62,6 +62,18 @@ impl Pipeline {
         Ok(pipeline)
     }
 
+    /// The same passes, of which one has another module in the place of its own, for tests of what notices a change.
+    ///
+    /// # Errors
+    /// When there is no such pass.
+    #[doc(hidden)]
+    pub fn with_module(mut self, pass: &str, module: lobe_codegen::ValidModule) -> Result<Self, ExecError> {
+        let found = self.passes.iter_mut().find(|known| known.name() == pass);
+        let found = found.ok_or_else(|| ExecError::NoPass { pass: pass.to_owned() })?;
+        found.replace_module(module);
+        Ok(self)
+    }
+
     /// The passes, in the order in which they were given.
     #[must_use]
     pub fn passes(&self) -> &[Pass] {

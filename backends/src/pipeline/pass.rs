@@ -54,6 +54,10 @@ impl Pass {
         Ok(Self { name, module, workgroup_size, buffers, artifacts: Artifacts::default() })
     }
 
+    pub(super) fn replace_module(&mut self, module: ValidModule) {
+        (self.module, self.artifacts) = (module, Artifacts::default());
+    }
+
     /// The entry point's name.
     #[must_use]
     pub fn name(&self) -> &'static str {

@@ -2,7 +2,7 @@
 
 use super::cases::{Case, Subject, open_scene};
 use super::truth::{Finals, Listing, Truth};
-use super::{Routes, plot};
+use super::{Axis, Routes, plot};
 use crate::measure::source;
 use crate::proxies::Proxies;
 use crate::render::{Renderer, Settings};
@@ -14,6 +14,7 @@ use lobe_codegen::data::Columns;
 use lobe_codegen::emit::{Options, Target, emit};
 use lobe_golden::image::Picture;
 use lobe_golden::{Chain, Golden, Hash, Kernel};
+use std::collections::BTreeMap;
 
 /// A case, opened.
 pub struct Opened<'r> {
@@ -44,18 +45,30 @@ impl<'r> Opened<'r> {
                 Ok(opened)
             }
             Subject::Plot { kernel, columns, rows, fixed } => {
-                let program = plot::program(kernel)?;
-                Self::of_plot(case, program, [columns, rows], fixed)
+                Self::of_plot(case, plot::program(kernel)?, [columns, rows], fixed)
             }
         }
     }
 
-    /// Opens a plot of a kernel that is given.
-    pub(super) fn of_plot(
+    /// Opens a plot of another kernel than its own, with the same arguments: for tests of what notices a change.
+    ///
+    /// # Errors
+    /// When the case is no plot, or the kernel has other arguments.
+    #[doc(hidden)]
+    pub fn of_program(case: &Case, program: Program) -> Result<Self, String> {
+        match &case.subject {
+            Subject::Plot { columns, rows, fixed, .. } => {
+                Self::of_plot(case, program, [columns, rows], fixed)
+            }
+            Subject::Render { .. } => Err(format!("{} is no plot", case.name)),
+        }
+    }
+
+    fn of_plot(
         case: &Case,
         program: Program,
-        axes: [&super::Axis; 2],
-        fixed: &std::collections::BTreeMap<String, f64>,
+        axes: [&Axis; 2],
+        fixed: &BTreeMap<String, f64>,
     ) -> Result<Self, String> {
         let args = plot::arguments(&program, case.size, axes, fixed)?;
         let kernels = vec![kernel(program.name(), program.module(), true)?];

@@ -121,6 +121,9 @@ pub fn open(path: &Path, layer: Option<&str>) -> Result<Opened, ReadError> {
 struct Found<'a>([Option<(&'a FlatSamples, [u32; 2])>; 3]);
 
 fn exr(bytes: Vec<u8>, path: PathBuf, wanted: &str) -> Result<Opened, ReadError> {
+    if let Err(cause) = check_claims(&bytes) {
+        return Err(ReadError::Exr { path, cause });
+    }
     let reader =
         read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
     let file = match reader.from_buffered(Cursor::new(bytes)) {
@@ -150,6 +153,24 @@ fn exr(bytes: Vec<u8>, path: PathBuf, wanted: &str) -> Result<Opened, ReadError>
             let known = layers.iter().filter(|(_, found)| found.0.iter().all(Option::is_some));
             let known = known.map(|(name, _)| name.clone()).collect();
             Err(ReadError::Layer { path, wanted: wanted.to_owned(), known })
+        }
+    }
+}
+
+/// Whether the bytes can hold what their header claims, before room is made for it.
+fn check_claims(bytes: &[u8]) -> ::exr::error::UnitResult {
+    let meta = ::exr::meta::MetaData::read_from_buffered(Cursor::new(bytes), false)?;
+    let claimed = meta.headers.iter().map(|header| {
+        let pixels = (header.layer_size.width() as u64).saturating_mul(header.layer_size.height() as u64);
+        pixels.saturating_mul(header.channels.bytes_per_pixel as u64)
+    });
+    let claimed = claimed.fold(0, u64::saturating_add);
+    match claimed <= MOST_TIMES * bytes.len() as u64 {
+        true => Ok(()),
+        false => {
+            let all = bytes.len();
+            let why = format!("it claims {claimed} bytes of pixels, more than its {all} bytes can hold");
+            Err(::exr::error::Error::Invalid(why.into()))
         }
     }
 }
@@ -188,13 +209,19 @@ fn png(bytes: Vec<u8>, path: PathBuf, _: &str) -> Result<Opened, ReadError> {
 /// Pixels of the largest picture: a few bytes state as many as they like, which are not believed.
 const MOST_PIXELS: u64 = 1 << 28;
 
+/// How much more there is in a file than it is long, at most: what deflate can do.
+const MOST_TIMES: u64 = 1032;
+
 /// Columns and rows of a PNG file, and its pixels' codes in 0 ..= 1: red, green, blue, alpha.
 fn samples(bytes: Vec<u8>) -> Result<([u32; 2], Vec<[f32; 4]>), ::png::DecodingError> {
+    let most = MOST_TIMES * bytes.len() as u64;
     let mut decoder = ::png::Decoder::new(Cursor::new(bytes));
     // Palettes and fewer than 8 bits.
     decoder.set_transformations(::png::Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
-    if u64::from(reader.info().width) * u64::from(reader.info().height) > MOST_PIXELS {
+    let pixels = u64::from(reader.info().width) * u64::from(reader.info().height);
+    let bytes_per_row = reader.info().raw_row_length() as u64;
+    if pixels > MOST_PIXELS || bytes_per_row * u64::from(reader.info().height) > most {
         return Err(::png::DecodingError::LimitsExceeded);
     }
     let mut buffer = vec![0; reader.output_buffer_size().ok_or(::png::DecodingError::LimitsExceeded)?];

@@ -80,6 +80,15 @@ impl Renderer {
         Ok(Self { pipeline: Pipeline::new(PASSES)? })
     }
 
+    /// The same, with another module in the place of a pass's own, for tests of what notices a change.
+    ///
+    /// # Errors
+    /// When there is no such pass.
+    #[doc(hidden)]
+    pub fn with_module(self, pass: &str, module: lobe_codegen::ValidModule) -> Result<Self, ExecError> {
+        Ok(Self { pipeline: self.pipeline.with_module(pass, module)? })
+    }
+
     /// The passes.
     #[must_use]
     pub fn pipeline(&self) -> &Pipeline {

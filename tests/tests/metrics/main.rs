@@ -162,3 +162,43 @@ fn what_cannot_be_compared_is_named() {
     broken.pixels[4].y = f32::NAN;
     assert!(matches!(said(&flat([3, 2]), &broken), PairError::NotFinite { which: "truth", x: 1, y: 1, .. }));
 }
+
+/// A few bytes that claim to be a large picture are refused before room is made for it.
+#[test]
+fn a_claim_of_a_few_bytes_is_not_believed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let check = |name: &str, bytes: &[u8]| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).expect("written");
+        lobe_tests::metrics::open(&path, None).expect_err("it is none").to_string()
+    };
+    let chunk = |kind: &[u8], data: &[u8]| {
+        let mut crc = 0xffff_ffff_u32;
+        for byte in kind.iter().chain(data) {
+            crc ^= u32::from(*byte);
+            for _ in 0..8 {
+                crc = if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 };
+            }
+        }
+        let length = (data.len() as u32).to_be_bytes();
+        [&length[..], kind, data, &(!crc).to_be_bytes()].concat()
+    };
+    let side = 16_000_u32.to_be_bytes();
+    let header = [&side[..], &side, &[16, 6, 0, 0, 0]].concat();
+    let png =
+        [b"\x89PNG\r\n\x1a\n".as_slice(), &chunk(b"IHDR", &header), &chunk(b"IDAT", &[0x78, 0x9c])].concat();
+    let message = check("bomb.png", &png);
+    assert!(message.contains("imit"), "{message}");
+
+    let small = picture("noise 1");
+    let layer = lobe_tests::render::Picture { size: small.size, radiance: small.pixels, layers: vec![] };
+    let mut exr = lobe_tests::render::exr(&layer, false).expect("a file");
+    for name in [b"dataWindow\0".as_slice(), b"displayWindow\0"] {
+        let at = exr.windows(name.len()).position(|w| w == name).expect("an attribute") + name.len() + 10;
+        for place in [at + 8, at + 12] {
+            exr[place..place + 4].copy_from_slice(&99_999_i32.to_le_bytes());
+        }
+    }
+    let message = check("bomb.exr", &exr);
+    assert!(message.contains("bytes of pixels"), "{message}");
+}
