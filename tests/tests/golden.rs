@@ -5,6 +5,7 @@ use lobe_backends::routes::Machine;
 use lobe_codegen::ValidModule;
 use lobe_codegen::module::Meta;
 use lobe_codegen::validate::validate;
+use lobe_golden::image::Picture;
 use lobe_golden::{Distance, Golden, Reviewer, Step, Store};
 use lobe_kernels::registry::KERNELS;
 use lobe_tests::golden::report::{Change, Item, RouteVerdict, Verdict};
@@ -81,26 +82,28 @@ impl Tally {
 /// it guards what no argument of the plot needs.
 #[test]
 fn a_changed_constant_is_caught_in_every_plot_that_it_affects() {
-    let renderer = Renderer::new().expect("passes");
     let mut all = Tally::default();
     for case in small() {
+        // Large enough that a change beneath f32 moves some value to the next f32.
+        let case = Case { size: [48, 48], ..case };
         let Subject::Plot { kernel, .. } = &case.subject else { continue };
         let kernel = KERNELS.iter().find(|known| known().name == kernel).expect("a kernel");
         let program =
             |module| Program::new(*kernel).expect("a program").with_module(module).expect("the kernel");
         let module = Program::new(*kernel).expect("a program").module().module().clone();
-        let mut routes = Routes::new(Machine::look(), vec!["interp".parse().expect("a route")]);
         let plain = Opened::of_program(&case, program(bare(&module))).expect("it opens");
-        let (truth, found) =
-            (plain.truth().expect("a truth"), plain.picture(&mut routes, 0).expect("a picture"));
+        let (truth, found) = (plain.truth().expect("a truth"), interpreted(&plain));
         let mut tally = Tally::default();
         for (value, mutant) in mutants(&module) {
             let opened = Opened::of_program(&case, program(mutant)).expect("it opens");
             assert_ne!(opened.chain().hash, plain.chain().hash, "{}: {value} is in no hash", case.name);
             let before = tally.caught;
             tally.take(value, &truth, &opened.truth().expect("a truth"));
-            let picture = opened.picture(&mut routes, 0).expect("a picture");
-            assert!(tally.caught > before || picture == found, "{}: {value} is not caught", case.name);
+            assert!(
+                tally.caught > before || interpreted(&opened) == found,
+                "{}: {value} is not caught",
+                case.name
+            );
         }
         println!("{}: {tally:?}", case.name);
         assert!(tally.caught > 0, "{}: no constant of it matters", case.name);
@@ -109,31 +112,36 @@ fn a_changed_constant_is_caught_in_every_plot_that_it_affects() {
         all.without_effect.extend(tally.without_effect);
     }
     println!("all: {all:?}");
-    drop(renderer);
-    assert!(all.caught > 4 * all.without_effect.len(), "{all:?}");
+    assert!(all.caught > all.without_effect.len(), "{all:?}");
 }
 
-/// The same of a pass of a scene.
+/// The same of a pass of a scene, which says by name what changed.
 #[test]
 fn a_changed_constant_is_caught_in_a_scene() {
-    let case = case("plates_a010/direct");
+    let case = Case { size: [32, 32], ..case("plates_a010/direct") };
     let pass = "direct_pass";
     let module =
         Renderer::new().expect("passes").pipeline().pass(pass).expect("a pass").module().module().clone();
     let with = |module| Renderer::new().expect("passes").with_module(pass, module).expect("the pass");
     let renderer = with(bare(&module));
     let plain = Opened::new(&case, &renderer).expect("it opens");
-    let truth = plain.truth().expect("a truth");
+    let (truth, found) = (plain.truth().expect("a truth"), interpreted(&plain));
     let mut tally = Tally::default();
     for (value, mutant) in mutants(&module) {
         let renderer = with(mutant);
         let opened = Opened::new(&case, &renderer).expect("it opens");
-        let changes = opened.chain().changes(plain.chain());
-        assert_eq!(changes, [pass], "{value}");
+        assert_eq!(opened.chain().changes(plain.chain()), [pass], "{value}");
+        let before = tally.caught;
         tally.take(value, &truth, &opened.truth().expect("a truth"));
+        assert!(tally.caught > before || interpreted(&opened) == found, "{value} is not caught");
     }
     println!("{}: {tally:?}", case.name);
-    assert!(tally.caught > tally.without_effect.len(), "{tally:?}");
+    assert!(tally.caught > 4, "{tally:?}");
+}
+
+fn interpreted<'r>(opened: &Opened<'r>) -> Picture {
+    let mut routes = Routes::new(Machine::look(), vec!["interp".parse().expect("a route")]);
+    opened.picture(&mut routes, 0).expect("a picture")
 }
 
 struct Folder {

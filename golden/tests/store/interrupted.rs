@@ -1,7 +1,7 @@
 //! Each step of each decision fails once; afterwards goldens are those before or those after, all of them.
 
 use crate::cases::{accept, accepted, leftovers, pending, put, somebody, step};
-use crate::failing::{Failing, Fault};
+use crate::failing::{Failing, Fault, Quick};
 use lobe_golden::{Store, StoreError};
 use std::path::Path;
 
@@ -18,8 +18,12 @@ fn state(store: &Store) -> ([Option<u32>; 4], usize) {
     ([a, b, c, d], store.decisions().expect("a log").len())
 }
 
+fn quick(root: &Path) -> Store {
+    Store::with_files(root, Box::new(Quick))
+}
+
 fn prepare(root: &Path) {
-    let store = Store::open(root);
+    let store = quick(root);
     accept(&store, "box/a", 1);
     put(&store, "box/a", 2);
     put(&store, "box/b", 3);
@@ -30,17 +34,17 @@ fn check(act: Act) {
     let after = {
         let folder = tempfile::tempdir().expect("a folder");
         prepare(folder.path());
-        act(&Store::open(folder.path())).expect("it works where nothing fails");
-        state(&Store::open(folder.path()))
+        act(&quick(folder.path())).expect("it works where nothing fails");
+        state(&quick(folder.path()))
     };
     for fault in [Fault::Full, Fault::StaysFull, Fault::Killed] {
         let mut failed = 0;
         for at in 0..STEPS {
             let folder = tempfile::tempdir().expect("a folder");
             prepare(folder.path());
-            let before = state(&Store::open(folder.path()));
+            let before = state(&quick(folder.path()));
             let outcome = act(&Store::with_files(folder.path(), Box::new(Failing::new(fault, at))));
-            let found = state(&Store::open(folder.path()));
+            let found = state(&quick(folder.path()));
             let place = format!("{fault:?} at step {at}: {outcome:?}");
             match outcome {
                 Ok(()) => assert_eq!(found, after, "{place}"),
@@ -50,7 +54,7 @@ fn check(act: Act) {
             }
             failed += usize::from(at == STEPS - 1 && found != after);
             // Whoever writes next finds nothing in the way.
-            let store = Store::open(folder.path());
+            let store = quick(folder.path());
             accept(&store, "box/c", 9);
             assert_eq!(accepted(&store, "box/c"), Some(9), "{place}");
             assert!(leftovers(folder.path()).is_empty(), "{place}");
