@@ -131,7 +131,7 @@ pub struct Unusable {
     /// The file.
     pub path: PathBuf,
     /// What is wrong with it.
-    pub why: Why,
+    pub why: Box<Why>,
 }
 
 /// What is wrong with a file.

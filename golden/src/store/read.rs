@@ -69,7 +69,11 @@ impl Store {
 
     pub(super) fn found(&self, files: [PathBuf; 2], case: &CaseName) -> Result<Option<Found>, Unusable> {
         let [exr, toml] = files;
-        let bad = |path: &Path, why| Unusable { case: case.clone(), path: self.root.join(path), why };
+        let bad = |path: &Path, why| Unusable {
+            case: case.clone(),
+            path: self.root.join(path),
+            why: Box::new(why),
+        };
         let bytes = |path: &Path, most| self.bytes_of(path, most).map_err(|why| bad(path, why));
         let (Some(picture), Some(text)) =
             (match (bytes(&exr, image::MOST_BYTES)?, bytes(&toml, record::MOST_BYTES)?) {
