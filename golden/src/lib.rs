@@ -10,6 +10,7 @@
 //! - [`image`] writes and reads them as EXR, and trusts no file.
 //! - [`Store`] keeps them: accepted ones, pending ones, and [decisions](Decision) on them, whole or not at all
 //!   whatever happens meanwhile ([`files`]).
+//! - [`page`] shows a report to people, who decide.
 //!
 //! ```
 //! use lobe_golden::Golden;
@@ -29,6 +30,7 @@ mod hash;
 pub mod image;
 mod lock;
 mod name;
+pub mod page;
 mod record;
 mod store;
 mod transaction;
