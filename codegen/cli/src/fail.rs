@@ -5,6 +5,7 @@ use lobe_backends::routes::OpenError;
 use lobe_codegen::emit::EmitError;
 use lobe_codegen::lower::LowerError;
 use lobe_golden::StoreError;
+use lobe_golden::page::PageError;
 use lobe_tests::expectation::ExpectationError;
 use lobe_tests::explain::ExplainError;
 use lobe_tests::export::ExportError;
@@ -103,6 +104,8 @@ pub(crate) enum Fail {
     #[error(transparent)]
     Golden(#[from] StoreError),
     #[error(transparent)]
+    Page(#[from] PageError),
+    #[error(transparent)]
     GoldenCases(#[from] CasesError),
     #[error("a defect of Lobe: {0}; please report it with the command that you gave")]
     Defect(String),
@@ -140,6 +143,7 @@ impl Fail {
             | Self::PictureFile(_)
             | Self::Golden(_)
             | Self::GoldenCases(_)
+            | Self::Page(_)
             | Self::Export(
                 ExportError::NothingKnown { .. }
                 | ExportError::PartlyKnown { .. }

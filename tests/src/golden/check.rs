@@ -245,6 +245,8 @@ fn blank(case: &Case) -> Item {
         truth: None,
         files: Files::default(),
         routes: Vec::new(),
+        texts: Vec::new(),
+        physics: Vec::new(),
     }
 }
 
@@ -324,14 +326,15 @@ fn change(report: &RouteReport, before: Option<&Record>, is_same_truth: bool) ->
     }
 }
 
+/// A picture as metrics take it: what is no number is as far off as can be said.
+pub(super) fn looked_at(size: [u32; 2], values: &[f32]) -> Image {
+    let value = |x: f32| if x.is_finite() { x } else { f32::MAX.sqrt() };
+    let pixels = values.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(p.map(value))).collect();
+    Image { size, pixels }
+}
+
 fn metrics(picture: &Picture, truth: &Golden) -> Result<Metrics, String> {
-    let image = |values: &[f32]| {
-        // What is no number is as far off as can be said.
-        let value = |x: f32| if x.is_finite() { x } else { f32::MAX.sqrt() };
-        let pixels = values.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(p.map(value))).collect();
-        Image { size: picture.size, pixels }
-    };
-    let (found, wanted) = (image(&picture.values), image(truth.truth()));
+    let (found, wanted) = (looked_at(picture.size, &picture.values), looked_at(picture.size, truth.truth()));
     let pair = Pair::new(&found, &wanted).map_err(|error| error.to_string())?;
     let viewing = Viewing::default();
     let hdr = metrics::compare(&pair, Range::High, &viewing);

@@ -9,6 +9,7 @@ pub mod decisions;
 mod evidence;
 pub mod human;
 pub mod junit;
+pub mod page;
 mod picture;
 mod plot;
 pub mod report;

@@ -121,6 +121,38 @@ pub struct Item {
     pub files: Files,
     /// Each route.
     pub routes: Vec<RouteReport>,
+    /// What was written, then and now.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub texts: Vec<Text>,
+    /// Laws that the method keeps.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub physics: Vec<Law>,
+}
+
+/// A kernel in a language, when its golden was accepted and now.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Text {
+    /// The kernel.
+    pub kernel: String,
+    /// `kernel` for its own source, else what it was emitted as.
+    pub target: String,
+    /// The text of the acceptance, if it was kept.
+    pub before: Option<String>,
+    /// The text of now.
+    pub after: Option<String>,
+}
+
+/// How far a route is from a law of physics.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Law {
+    /// The route.
+    pub route: String,
+    /// The law, as `white_furnace`.
+    pub name: String,
+    /// The distance from it.
+    pub residual: Share,
+    /// How large it may be.
+    pub permitted: Share,
 }
 
 /// What a case depends on, in hashes.

@@ -7,7 +7,7 @@ use lobe_backends::route::Route;
 use lobe_backends::routes::{Machine, OpenError, State};
 use lobe_golden::{CaseName, StoreError};
 use lobe_tests::golden::report::{Report, SCHEMA, Tally};
-use lobe_tests::golden::{Case, Choice, Routes, Session, environment, human, junit};
+use lobe_tests::golden::{Case, Choice, Routes, Session, environment, human, junit, page};
 use lobe_tests::render::Renderer;
 use lobe_tests::report::Skipped;
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ pub(crate) struct Args {
 /// Options of `report`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct ReportArgs {
-    /// The folder to write `report.json` and all pictures to
+    /// The folder to write `index.html`, `report.json` and all pictures to
     #[arg(value_name = "DIR")]
     to: PathBuf,
     #[command(flatten)]
@@ -77,7 +77,12 @@ pub(crate) fn report(args: &ReportArgs) -> Result<Outcome, Fail> {
     std::fs::create_dir_all(&args.to).map_err(write)?;
     let report = judged(&args.common, false, Some(args.to.clone()))?;
     output::write_file(&args.to.join("report.json"), report.json().as_bytes())?;
-    finish(&args.common, &report)
+    let written = page::write(&report, &args.to)?;
+    let outcome = finish(&args.common, &report)?;
+    if args.common.format == Format::Human {
+        output::print(&format!("page: {}\n", written.page.display()))?;
+    }
+    Ok(outcome)
 }
 
 fn form(path: &Path) -> Result<fn(&Report) -> String, Fail> {

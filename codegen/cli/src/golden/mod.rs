@@ -27,7 +27,7 @@ missing. Where CI is set, or with --no-write, nothing is written.";
 enum Command {
     /// Judge every golden on every ready route; what is new or changed waits in `pending`
     Check(check::Args),
-    /// The same, with all pictures, for those who review
+    /// The same as a page with all pictures, for those who review
     Report(check::ReportArgs),
     /// Accept what waits
     Accept(decide::DecideArgs),

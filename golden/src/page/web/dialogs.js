@@ -122,7 +122,7 @@ function forgetAll() {
 
 const HELP = [
   ["Cases", [["j, k", "next, previous case"], ["/", "search"], ["↓ ↑ Page Home End", "move, in the list"], [".", "next case to decide"]]],
-  ["Pictures", [["1 … 9", "a route"], ["0", "the new truth"], ["space", "flip between truth and found"], ["d", "difference, by sign"], ["h", "share of the bound"], ["f", "FLIP map"],
+  ["Pictures", [["1 … 9", "a route"], ["p, P", "next, previous route"], ["0", "the new truth"], ["space", "flip between truth and found"], ["d", "difference, by sign"], ["h", "share of the bound"], ["f", "FLIP map"],
     ["v", "side by side"], ["g", "all at once"], ["s", "swipe"], ["b", "blink"], ["o", "onion"], ["x", "against the other truth"]]],
   ["Look", [["+ −", "exposure; gain of a difference"], ["e", "exposure back to 0"], ["t", "next tone map"], ["c", "next channel"], ["[ ]", "zoom out, in"], ["z", "fit"],
     ["arrows", "move the pixel, with Shift by 10"], ["w", "worst pixel"], ["n, N", "next worst, the one before"]]],

@@ -76,7 +76,7 @@ function headOf(found) {
   const row = openRow();
   const all = problems(found);
   const { item } = found;
-  const about = [row.kind, `${row.size?.[0]} × ${row.size?.[1]}`, ...Object.entries(item?.settings ?? {}).map(([name, value]) => `${name} ${value}`)];
+  const about = [row.kind, `${row.size?.[0]} × ${row.size?.[1]}`];
   const isFalselyFine = isPassing(row) && all.length > 0;
   const verdict = isFalselyFine
     ? make("span", { class: "verdict lacking" }, "lacks evidence")
@@ -86,8 +86,19 @@ function headOf(found) {
     item?.why ? make("p", { class: "why" }, item.why) : "",
     found.status === "loading" ? make("p", { class: "dim" }, "Loading") : "",
     all.length ? make("div", { class: "problems", role: "alert" }, make("ul", {}, ...all.map((text) => make("li", {}, text)))) : "",
-    item ? classification(found) : "",
+    ...(item ? [classification(found), moreOf(item)] : []),
   ];
+}
+
+let isMoreOpen = false;
+
+/** What is asked for seldom, and long: the settings, and why the truth need not be computed again. */
+function moreOf(item) {
+  const line = (name, text) => make("div", {}, make("dt", {}, name), make("dd", {}, text));
+  const lines = Object.entries(item.settings).map(([name, value]) => line(name, value));
+  if (item.proof) lines.push(line("proof", item.proof));
+  return make("details", { id: "details", open: isMoreOpen, ontoggle: (event) => (isMoreOpen = event.target.open) },
+    make("summary", { id: "details-summary" }, "Settings and proof"), make("dl", { class: "facts" }, ...lines));
 }
 
 /** Whether mathematics, emission or the driver is another than when the golden was accepted. */
@@ -99,7 +110,10 @@ function isChanged(found, what) {
 
 function classification(found) {
   const { item } = found;
-  if (!item.accepted) return make("p", { class: "lamps" }, make("span", { class: "lamp" }, "Nothing is accepted yet: there is nothing to compare with."));
+  if (!item.accepted) {
+    const why = item.verdict === "missing" ? "Nothing is accepted yet" : "What was accepted cannot be read";
+    return make("p", { class: "lamps lamp" }, `${why}: there is nothing to compare with.`);
+  }
   const on = (what) => item.routes.filter((route) => route.change === what).length;
   const lamp = (what, text) => {
     const is = isChanged(found, what);
@@ -116,7 +130,7 @@ function classification(found) {
 function ofTruth(item) {
   const { truth, accepted } = item;
   const by = `Accepted by ${accepted.by}, ${accepted.at.slice(0, 10)}: ${accepted.why}`;
-  if (!truth) return `${item.proof ? `${item.proof}. ` : ""}${by}`;
+  if (!truth) return `${item.proof ? "The truth need not be computed again. " : ""}${by}`;
   if (truth.differing === 0) return `The truth was computed again, and is the accepted one to the bit. ${by}`;
   return `${count(truth.differing, "true value")} differ, by up to ${truth.furthest_ulp.toLocaleString("en")} ULP; ${truth.beyond_permitted.toLocaleString("en")} by more than a driver may. ${by}`;
 }

@@ -14,6 +14,8 @@ const KEYS = {
   s: () => turnMode("swipe"),
   b: () => turnMode("blink"),
   o: () => turnMode("onion"),
+  p: () => nextSubject(1),
+  P: () => nextSubject(-1),
   x: () => turnAgainst(),
   "+": () => expose(1),
   "=": () => expose(1),
@@ -89,6 +91,13 @@ function keyDown(event) {
   if (!run) return;
   event.preventDefault();
   run();
+}
+
+function nextSubject(by) {
+  const view = looked(openCase());
+  if (!view) return;
+  const { subjects } = view;
+  pickSubject(subjects[(subjects.indexOf(view.subject) + by + subjects.length) % subjects.length]);
 }
 
 function pickByKey(key) {

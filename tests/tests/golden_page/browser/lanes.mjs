@@ -47,6 +47,14 @@ export default async function run(shown) {
   await shown.press("L");
   assert.equal(await lane(), "Emitted text");
 
+  // What is long is folded, and stays open from case to case.
+  await shown.openCase("spheres/sg-specular");
+  assert.equal(await page.locator("#details dl").isVisible(), false);
+  await shown.click("#details summary");
+  assert.match(await shown.text("#details dl"), /samples\s*64\s*proof\s*the scene, the settings/);
+  await shown.press("j");
+  assert.equal(await page.locator("#details dl").isVisible(), true);
+
   // Another route's emitted text, and another driver.
   await shown.openCase("spheres/undefined-edge", { lane: "emitted" });
   assert.deepEqual(await shown.texts("#lane .plain .verdict"), ["changed"]);

@@ -208,6 +208,10 @@ async function subjects(shown) {
     assert.equal(await pressed(shown, "Routes"), route);
     assert.match(await shown.text("figcaption b"), new RegExp(route.replace("+", "\\+")));
   }
+  await shown.press("p");
+  assert.equal(await pressed(shown, "Routes"), "native");
+  await shown.press("P", "P");
+  assert.equal(await pressed(shown, "Routes"), "spirv@lavapipe");
   await shown.click('[aria-label="Routes"] [data-value="native"]');
   assert.equal((await shown.words()).route, "native");
   await shown.press("9");
