@@ -119,6 +119,9 @@ fn check_method(args: &Args) -> Result<(), Fail> {
     if args.field.is_some() {
         check_can(args.method, "--field", |method| method.field_pass().is_some())?;
     }
+    if args.virtual_lights.has_visibility() {
+        check_can(args.method, "--visibility", Method::has_visibility)?;
+    }
     Ok(())
 }
 
@@ -127,7 +130,7 @@ fn check_can(method: Method, option: &str, can: impl Fn(Method) -> bool) -> Resu
         return Ok(());
     }
     let names: Vec<&str> = Method::ALL.into_iter().filter(|m| can(*m)).map(Method::name).collect();
-    let names = names.join(" and ");
+    let names = names.join(", ");
     Err(Fail::Usage(format!("{option} is for {names}; give one of them as --method, not {method}")))
 }
 

@@ -57,6 +57,11 @@ pub(crate) struct VirtualArgs {
 }
 
 impl VirtualArgs {
+    /// Whether something hides virtual lights.
+    pub(crate) fn has_visibility(&self) -> bool {
+        self.visibility != Visibility::None
+    }
+
     /// What the library takes.
     pub(crate) fn settings(&self) -> VirtualLights {
         VirtualLights {

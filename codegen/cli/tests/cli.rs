@@ -19,9 +19,11 @@ fn a_method_that_cannot_is_refused_with_those_that_can() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/cases/scenes/plates_a010.json");
     for option in [&["--shadows"][..], &["--field", "8"]] {
         let args = [&["render", scene, "--method", "rect", "-o", "never.exr"], option].concat();
-        let wanted = ["is for rect-quadrature and rect-laplace", "not rect"];
+        let wanted = ["is for rect-quadrature, rect-laplace;", "not rect"];
         assert_fails(&lobe(&args), 2, &[&[option[0]], &wanted[..]].concat());
     }
+    let args = ["render", scene, "--method", "vsgl2", "--visibility", "exact", "-o", "never.exr"];
+    assert_fails(&lobe(&args), 2, &["--visibility is for vpl, vsl, vsl-wide, vsgl;", "not vsgl2"]);
 }
 
 #[test]

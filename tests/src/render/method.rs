@@ -128,6 +128,12 @@ impl Method {
     pub fn has_virtual_lights(self) -> bool {
         matches!(self, Self::Vpl | Self::Vsl | Self::VslWide | Self::Vsgl | Self::Vsgl2 | Self::Vsgl2Paper)
     }
+
+    /// Whether its virtual lights can be hidden; two lights of a whole map are nowhere that a ray could lead to.
+    #[must_use]
+    pub fn has_visibility(self) -> bool {
+        matches!(self, Self::Vpl | Self::Vsl | Self::VslWide | Self::Vsgl)
+    }
 }
 
 impl std::fmt::Display for Method {

@@ -288,7 +288,8 @@ impl Frame<'_, '_> {
         let settings = &self.settings.virtual_lights;
         let found: Vec<VirtualPixel> =
             self.pipeline.unpack("virtual_pixels", self.memory.bytes("virtual_pixels"))?;
-        let suffix = if settings.visibility == Visibility::None { "la" } else { "vis" };
+        let is_shadowed = settings.visibility != Visibility::None && self.settings.method.has_visibility();
+        let suffix = if is_shadowed { "vis" } else { "la" };
         let share = 1.0 / settings.frames.max(1) as f32;
         let mut add = |name: &str, of: &dyn Fn(&VirtualPixel) -> Vec3| {
             let pixels = found.iter().map(|pixel| share * of(pixel)).collect();
