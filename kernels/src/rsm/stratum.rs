@@ -12,8 +12,8 @@ use lobe_codegen::prelude::*;
 
 /// The lights of all texels of their strata: a pass.
 ///
-/// No texel is left out and none counts twice; one that lies in several strata is shared by them. Facets are those of the
-/// texel that reflects most by them.
+/// No texel is left out and none counts twice; one that lies in several strata is shared by them. The light's own texel, from
+/// which it has its facets and is hidden or not, is the one that reflects most by facets, or, of matt ones, the middle one.
 /// Source: our own.
 #[kernel(workgroup_size(64))]
 pub fn light_stratum_pass(
@@ -43,6 +43,7 @@ pub fn light_stratum_pass(
     }
     let mut mean = map_mean_nothing();
     let mut glossiest = 0_u32;
+    let mut central = 0_u32;
     let mut most = 0.0;
     while at < sums.len() as u32 && before < end {
         let block = at / SCAN_BLOCK;
@@ -53,6 +54,7 @@ pub fn light_stratum_pass(
         if texel != NOWHERE && within > 0.0 {
             let own = map_mean_of(map_points[texel as usize], drawing.origin, OF_BOTH);
             let part = map_mean_share(own, min(within / (after - before), 1.0));
+            central = select(central, texel, before <= 0.5 * (begin + end) || mean.cover == 0.0);
             mean = map_mean_add(mean, part);
             if part.lobes.weight > most {
                 most = part.lobes.weight;
@@ -62,5 +64,6 @@ pub fn light_stratum_pass(
         before = after;
         at += 1;
     }
-    virtual_lights[i as usize] = light_of_mean(mean, drawing.origin, glossiest, mean.cover);
+    virtual_lights[i as usize] =
+        light_of_mean(mean, drawing.origin, select(central, glossiest, most > 0.0), mean.cover);
 }
