@@ -4,6 +4,7 @@
 
 mod asg;
 mod brdf;
+mod curve;
 mod filter;
 mod gltf;
 mod imperfect;
