@@ -274,10 +274,12 @@ fn shares(scene: &Scene, method: Method) -> (f64, f64) {
 fn two_surfaces_hide_nothing_of_each_other() {
     let mut scene = scene("plates_a010.json");
     scene.camera.size = [32; 2];
-    for method in [Method::Vpl, Method::VslWide, Method::Vsgl] {
+    // Of a square that reaches over both surfaces `vsgl` makes one light, which shines on the one that its texel is on.
+    for (method, most) in [(Method::Vpl, 1e-6), (Method::VslWide, 1e-6), (Method::Vsgl, 0.02)] {
         let (imperfect, exact) = shares(&scene, method);
         println!("{method}: {imperfect}, exact {exact}");
-        assert!((imperfect - 1.0).abs() < 0.01, "{method}: {imperfect}, exact {exact}");
+        assert!((exact - 1.0).abs() < 1e-6, "{method}: exact {exact}");
+        assert!((imperfect - 1.0).abs() < most, "{method}: {imperfect}");
     }
 }
 
