@@ -164,7 +164,7 @@ fn decode(bytes: &[u8]) -> Result<Layers, ImageError> {
 /// What the header claims, before anything is made by it.
 fn check_claims(bytes: &[u8]) -> Result<(), ImageError> {
     let claim = |what: String| Err(ImageError::Claim { what });
-    let meta = MetaData::read_from_buffered(Cursor::new(bytes), true)?;
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false)?;
     let [header] = meta.headers.as_slice() else {
         return claim(format!("{} parts", meta.headers.len()));
     };
