@@ -264,6 +264,12 @@ fn mean(picture: &Picture) -> f64 {
 
 /// The light that there is, without shadows and with those of a kind.
 fn shares(scene: &Scene, method: Method) -> (f64, f64) {
+    shares_of(scene, method, VirtualLights::default().smoothing)
+}
+
+/// The same of lights that are read from squares so many times as large as usual.
+fn shares_of(scene: &Scene, method: Method, smoothing: f32) -> (f64, f64) {
+    let lights = |visibility| VirtualLights { smoothing, ..lights(visibility) };
     let all = mean(&picture(scene, method, lights(Visibility::None)));
     assert!(all > 1e-4, "{}: there is no light to hide", scene.name);
     let share = |visibility| mean(&picture(scene, method, lights(visibility))) / all;
@@ -274,12 +280,13 @@ fn shares(scene: &Scene, method: Method) -> (f64, f64) {
 fn two_surfaces_hide_nothing_of_each_other() {
     let mut scene = scene("plates_a010.json");
     scene.camera.size = [32; 2];
-    // Of a square that reaches over both surfaces `vsgl` makes one light, which shines on the one that its texel is on.
-    for (method, most) in [(Method::Vpl, 1e-6), (Method::VslWide, 1e-6), (Method::Vsgl, 0.02)] {
-        let (imperfect, exact) = shares(&scene, method);
+    // Squares that reach over both surfaces send light along the plane of their own texel, where a map is too coarse to
+    // tell: `tests/SCENES.md` has how much `vsgl` loses by it. Lights of single texels send none.
+    for (method, smoothing) in [(Method::Vpl, 4.0), (Method::VslWide, 4.0), (Method::Vsgl, 0.0)] {
+        let (imperfect, exact) = shares_of(&scene, method, smoothing);
         println!("{method}: {imperfect}, exact {exact}");
         assert!((exact - 1.0).abs() < 1e-6, "{method}: exact {exact}");
-        assert!((imperfect - 1.0).abs() < most, "{method}: {imperfect}");
+        assert!((imperfect - 1.0).abs() < 1e-6, "{method}: {imperfect}");
     }
 }
 
